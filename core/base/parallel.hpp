@@ -1,0 +1,40 @@
+/// Loops over blocks of points, spread over threads. Blocks do not depend on the number of threads, and sums are taken
+/// in the order of blocks, so the same bits come out of any number of threads.
+#pragma once
+
+#include "core/base/types.hpp"
+
+#include <vector>
+
+namespace riedel {
+
+inline Index blocks_of(Index points) { return (points + block_size - 1) / block_size; }
+inline Range block_range(Index block, Index points) {
+  return {block * block_size, std::min((block + 1) * block_size, points)};
+}
+
+/// Calls `body(i)` for i in [0, count). The body must not throw.
+template <class Body>
+void parallel_for(Index count, const Body& body) {
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < count; ++i) body(i);
+}
+
+/// Calls `body(range)` for every block of `points` points.
+template <class Body>
+void for_each_block(Index points, const Body& body) {
+  parallel_for(blocks_of(points), [&](Index b) { body(block_range(b, points)); });
+}
+
+/// Combines `part(range)` of all blocks, from the first to the last; `parts` is working space, kept by the caller so
+/// that a step allocates nothing.
+template <class T, class Part, class Combine>
+T reduce_blocks(Index points, std::vector<T>& parts, T start, const Part& part, const Combine& combine) {
+  parts.resize(static_cast<std::size_t>(blocks_of(points)));
+  parallel_for(blocks_of(points),
+               [&](Index b) { parts[static_cast<std::size_t>(b)] = part(block_range(b, points)); });
+  for (const T& value : parts) start = combine(start, value);
+  return start;
+}
+
+} // namespace riedel

@@ -1,0 +1,65 @@
+/// Name to factory, for everything a case can name: schemes, laws, searches, averagers.
+#pragma once
+
+#include "core/base/error.hpp"
+#include "core/base/parameters.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+
+namespace riedel {
+
+/// What `riedel list` tells of one entry.
+struct Description {
+  std::string name;
+  std::string summary;   ///< one line
+  std::string source;    ///< the paper it comes from
+  Keys parameters = {};  ///< what the case may set for it
+};
+
+/// A list of named factories, in the order they were added.
+/// @tparam Make the factory's signature, such as `std::unique_ptr<Material>(const Values&)`
+template <class Make>
+class Registry {
+public:
+  struct Entry {
+    Description description;
+    std::function<Make> make;
+  };
+
+  explicit Registry(std::string kind) : kind_(std::move(kind)) {}
+
+  /// Throws PluginError when the name is taken.
+  void add(Description description, std::function<Make> make) {
+    if (known(description.name)) throw PluginError("two " + kind_ + "s are named '" + description.name + "'");
+    entries_.push_back({std::move(description), std::move(make)});
+  }
+  [[nodiscard]] bool known(std::string_view name) const {
+    return std::ranges::any_of(entries_, [&](const Entry& e) { return e.description.name == name; });
+  }
+  /// Throws InputError that lists the known names.
+  [[nodiscard]] const Entry& find(std::string_view name) const {
+    for (const Entry& entry : entries_)
+      if (entry.description.name == name) return entry;
+    throw InputError("unknown " + kind_ + " '" + std::string(name) + "'; known: " + names_text());
+  }
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries_) all.push_back(entry.description.name);
+    return all;
+  }
+  [[nodiscard]] const std::string& kind() const { return kind_; }
+
+private:
+  [[nodiscard]] std::string names_text() const {
+    std::string text;
+    for (const Entry& entry : entries_) text += (text.empty() ? "" : ", ") + entry.description.name;
+    return text;
+  }
+  std::string kind_;
+  std::vector<Entry> entries_;
+};
+
+} // namespace riedel

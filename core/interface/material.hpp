@@ -1,0 +1,94 @@
+/// A constitutive law: from a block of strain rates to stresses. Always three-dimensional, so that the same law serves a
+/// single point, plane strain and 3-D.
+#pragma once
+
+#include "core/base/registry.hpp"
+#include "core/base/types.hpp"
+
+#include <span>
+
+namespace riedel {
+
+/// A state variable that the law declares and the solver carries.
+struct StateVariable {
+  std::string name;
+  std::string unit;
+  std::string doc;
+  int components = 1; ///< 1: scalar; 6: symmetric tensor in Mandel components, rotated by the solver
+};
+
+/// The points handed to a law at once: columns of `size` numbers.
+struct MaterialBatch {
+  Index size = 0;
+  double time_step = 0.0;               ///< Δt [s]
+  std::array<double*, 6> stress{};      ///< Cauchy, tension positive, Mandel, already rotated by the solver [Pa]; in, out
+  std::array<const double*, 6> rate{};  ///< rate of deformation D, Mandel [1/s]
+  const double* averaged = nullptr;     ///< non-local average of the scalar the law named; null: local
+  std::span<double* const> state{};     ///< a column per component of the declared variables; in, out
+};
+
+/// What happened inside one call, or many.
+struct MaterialReport {
+  std::int64_t substepped = 0;   ///< points whose step had to be cut
+  std::int64_t low_pressure = 0; ///< points returned to the least pressure
+  std::int64_t separated = 0;    ///< points that carry no stress
+  std::int64_t failures = 0;     ///< points that could not be integrated; their state is left as it was
+  Index first_failure = -1;
+  std::string_view reason{};     ///< why the first one failed
+
+  void add(const MaterialReport& other, Index offset);
+};
+
+/// The state of a block as the time step and the run's report need it.
+struct Survey {
+  double wave_speed = 0.0;         ///< greatest speed of a compression wave [m/s]
+  std::int64_t out_of_bounds = 0;  ///< points whose state the law does not admit (a void ratio below e_d, say)
+};
+
+class Material {
+public:
+  virtual ~Material() = default;
+  Material() = default;
+  Material(const Material&) = delete;
+  Material& operator=(const Material&) = delete;
+
+  [[nodiscard]] virtual std::span<const StateVariable> states() const = 0;
+  /// Scalars that the law can take averaged over a neighbourhood: `rate_norm` (‖D‖) or one of its state variables.
+  [[nodiscard]] virtual std::vector<std::string> nonlocal_variables() const { return {}; }
+  /// @param state one value per state component   @return bulk density [kg/m³]
+  [[nodiscard]] virtual double density(std::span<const double> state) const = 0;
+  /// Advances stress and state by one step. Does not throw; failures stand in the report.
+  virtual void integrate(const MaterialBatch& batch, MaterialReport& report) const = 0;
+  [[nodiscard]] virtual Survey survey(const MaterialBatch& batch) const = 0;
+};
+
+using Materials = Registry<std::unique_ptr<Material>(const Values&)>;
+
+inline void MaterialReport::add(const MaterialReport& other, Index offset) {
+  substepped += other.substepped;
+  low_pressure += other.low_pressure;
+  separated += other.separated;
+  if (failures == 0 && other.failures > 0) {
+    first_failure = other.first_failure + offset;
+    reason = other.reason;
+  }
+  failures += other.failures;
+}
+
+/// Number of columns that the variables take.
+inline int state_components(std::span<const StateVariable> states) {
+  int count = 0;
+  for (const StateVariable& variable : states) count += variable.components;
+  return count;
+}
+/// Column of the variable called `name`, or −1.
+inline int state_column(std::span<const StateVariable> states, std::string_view name) {
+  int column = 0;
+  for (const StateVariable& variable : states) {
+    if (variable.name == name) return column;
+    column += variable.components;
+  }
+  return -1;
+}
+
+} // namespace riedel

@@ -1,0 +1,55 @@
+/// Interpolation weights of many points: N_ip and ∇N_ip, eight points at a time.
+#pragma once
+
+#include "core/base/columns.hpp"
+#include "core/base/pack.hpp"
+
+namespace riedel {
+
+/// The stencils of eight consecutive points, one per lane. Entry a of lane k stands at a·8 + k; a node may appear in
+/// more than one entry of a point.
+template <int Dim>
+struct StencilGroup {
+  int count = 0;                   ///< entries in use
+  Index lowest_row = 0;            ///< least and greatest index along the last axis of any node named here
+  Index highest_row = 0;
+  std::array<bool, pack_size> lost{}; ///< this lane's support leaves the grid; its weights are zero
+  Index* node = nullptr;           ///< [count][8]
+  double* value = nullptr;         ///< N_ip [-], [count][8]
+  double* slope = nullptr;         ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+
+  void set_value(int entry, const Pack& N) { N.store(value + entry * pack_size); }
+  void set_slope(int entry, int axis, const Pack& dN) { dN.store(slope + (entry * Dim + axis) * pack_size); }
+  void set_node(int entry, int lane, Index number) { node[entry * pack_size + lane] = number; }
+};
+
+template <int Dim>
+class Stencils {
+public:
+  void resize(Index points, int max_nodes) {
+    const std::size_t groups = static_cast<std::size_t>((points + pack_size - 1) / pack_size);
+    const std::size_t entries = groups * static_cast<std::size_t>(max_nodes * pack_size);
+    node_.assign(entries, 0);
+    value_.assign(entries, 0.0);
+    slope_.assign(entries * Dim, 0.0);
+    groups_.assign(groups, {});
+    for (std::size_t g = 0; g < groups; ++g) {
+      const std::size_t at = g * static_cast<std::size_t>(max_nodes * pack_size);
+      groups_[g].node = node_.data() + at;
+      groups_[g].value = value_.data() + at;
+      groups_[g].slope = slope_.data() + at * Dim;
+    }
+  }
+  /// The group that holds point p; p's lane in it is p mod 8.
+  [[nodiscard]] StencilGroup<Dim>& group_of(Index p) { return groups_[static_cast<std::size_t>(p / pack_size)]; }
+  [[nodiscard]] const StencilGroup<Dim>& group_of(Index p) const {
+    return groups_[static_cast<std::size_t>(p / pack_size)];
+  }
+
+private:
+  std::vector<StencilGroup<Dim>> groups_;
+  AlignedVector<Index> node_;
+  AlignedVector<double> value_, slope_;
+};
+
+} // namespace riedel
