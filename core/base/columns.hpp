@@ -29,7 +29,7 @@ using AlignedVector = std::vector<T, Aligned<T>>;
 
 class Columns {
 public:
-  explicit Columns(int components = 1) : components_(components) {}
+  explicit Columns(int components) : components_(components) {}
 
   void resize(Index size) {
     size_ = size;

@@ -3,6 +3,8 @@
 
 #include "core/base/columns.hpp"
 
+#include <numeric>
+
 namespace riedel {
 
 /// Dim × Dim tensors are stored row by row: component(i, j) = i Dim + j. In plane strain mass, volume and force are per
@@ -11,25 +13,26 @@ template <int Dim>
 struct Points {
   Columns position{Dim};                   ///< x_p [m]
   Columns velocity{Dim};                   ///< v_p [m/s]
-  Columns mass;                            ///< m_p [kg or kg/m]
-  Columns volume;                          ///< V_p [m³ or m²]
-  Columns initial_volume;                  ///< V_p at the start
+  Columns mass{1};                            ///< m_p [kg or kg/m]
+  Columns volume{1};                          ///< V_p [m³ or m²]
+  Columns initial_volume{1};                  ///< V_p at the start
   Columns half_size{Dim};                  ///< half edges of the point's domain at the start, along the axes [m]
   Columns deformation_gradient{Dim * Dim}; ///< F_p [-]
   Columns velocity_gradient{Dim * Dim};    ///< L_p = ∂v/∂x [1/s]
   Columns stress{6};                       ///< Cauchy stress, tension positive, Mandel components [Pa]
   Columns state{0};                        ///< the law's state variables, in the order it declares them
-  Columns rate_norm;                       ///< ‖D‖ [1/s]
-  Columns averaged;                        ///< non-local average of the scalar the law names
-  Columns shear_strain;                    ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
+  Columns rate_norm{1};                       ///< ‖D‖ [1/s]
+  Columns averaged{1};                        ///< non-local average of the scalar the law names
+  Columns shear_strain{1};                    ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
   std::vector<Index> id;                   ///< number of the point at the start, kept when points are sorted
+  std::vector<Index> place;                ///< where the point of a given id stands now: id[place[i]] = i
 
   [[nodiscard]] Index size() const { return mass.size(); }
 
   /// @param states number of state columns that the body's law declares
   void resize(Index size, int states);
 
-  /// Every field but `id`, for sorting and for checkpoints.
+  /// Every field but the numbering, for sorting and for checkpoints.
   [[nodiscard]] std::array<Columns*, 13> fields() {
     return {&position,          &velocity, &mass,  &volume,    &initial_volume, &half_size,   &deformation_gradient,
             &velocity_gradient, &stress,   &state, &rate_norm, &averaged,       &shear_strain};
@@ -60,7 +63,8 @@ void Points<Dim>::resize(Index size, int states) {
   for (Columns* field : fields()) field->resize(size);
   for (int a = 0; a < Dim; ++a) deformation_gradient.fill(a * Dim + a, 1.0);
   id.resize(static_cast<std::size_t>(size));
-  for (Index p = 0; p < size; ++p) id[static_cast<std::size_t>(p)] = p;
+  std::iota(id.begin(), id.end(), 0);
+  place = id;
 }
 
 } // namespace riedel

@@ -21,6 +21,14 @@ struct StencilGroup {
   void set_value(int entry, const Pack& N) { N.store(value + entry * pack_size); }
   void set_slope(int entry, int axis, const Pack& dN) { dN.store(slope + (entry * Dim + axis) * pack_size); }
   void set_node(int entry, int lane, Index number) { node[entry * pack_size + lane] = number; }
+  /// Zeroes the weights of lost lanes, so that they may be used without a look at the flags.
+  void drop_lost_lanes() {
+    for (std::size_t k = 0; k < pack_size; ++k) {
+      if (!lost[k]) continue;
+      for (std::size_t i = k; i < static_cast<std::size_t>(count * pack_size); i += pack_size) node[i] = 0, value[i] = 0;
+      for (std::size_t i = k; i < static_cast<std::size_t>(count * Dim * pack_size); i += pack_size) slope[i] = 0;
+    }
+  }
 };
 
 template <int Dim>

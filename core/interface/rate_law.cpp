@@ -1,0 +1,27 @@
+#include "core/interface/rate_law.hpp"
+
+namespace riedel {
+
+Keys IntegrationControl::keys() {
+  return {{.name = "tolerance",
+           .default_value = 1e-4,
+           .unit = "-",
+           .bounds = within(0.0, 0.1),
+           .doc = "error allowed in the stress of one sub-step, relative"}};
+}
+
+Keys IntegrationControl::frictional_keys() {
+  Keys all = keys();
+  all.push_back({.name = "minimum_pressure",
+                 .default_value = 10.0,
+                 .unit = "Pa",
+                 .bounds = more_than(0.0),
+                 .doc = "mean pressure below which a point separates or is returned"});
+  return all;
+}
+
+IntegrationControl::IntegrationControl(const Values& given)
+    : tolerance(given.number("tolerance")),
+      minimum_pressure(given.has("minimum_pressure") ? given.number("minimum_pressure") : 0.0) {}
+
+} // namespace riedel

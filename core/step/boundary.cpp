@@ -1,0 +1,108 @@
+#include "core/step/boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace riedel {
+
+namespace {
+void drop_repeated(std::vector<Index>& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+} // namespace
+
+std::function<double(double)> ramped(double speed, double ramp_time) {
+  return [=](double t) {
+    if (t >= ramp_time) return speed;
+    return speed * 0.5 * (1.0 - std::cos(std::numbers::pi * std::max(t, 0.0) / ramp_time));
+  };
+}
+
+template <int Dim>
+std::vector<Index> nodes_of(const Grid<Dim>& grid, const NodeCondition<Dim>& condition) {
+  std::vector<Index> nodes;
+  for (Index i = 0; i < grid.node_count(); ++i) {
+    const Counts<Dim> index = grid.index(i);
+    bool inside = true;
+    for (int a = 0; a < Dim; ++a) inside = inside && index[a] >= condition.first[a] && index[a] <= condition.last[a];
+    if (inside) nodes.push_back(i);
+  }
+  return nodes;
+}
+
+template <int Dim>
+void bind_conditions(State<Dim>& state, const std::vector<NodeCondition<Dim>>& conditions) {
+  state.held.clear();
+  for (const NodeCondition<Dim>& c : conditions)
+    state.held.push_back({.name = c.name, .axis = c.axis, .nodes = nodes_of(state.grid, c), .velocity = c.velocity});
+  for (const RigidBody<Dim>& body : state.rigid_bodies) {
+    state.held.push_back({.name = body.name, .axis = body.axis, .nodes = {}, .velocity = body.velocity});
+    state.held.back().nodes.reserve(static_cast<std::size_t>(state.grid.node_count()));
+  }
+}
+
+template <int Dim>
+void find_rigid_nodes(State<Dim>& state, const ShapeFunction<Dim>& scheme) {
+  for (std::size_t b = 0; b < state.rigid_bodies.size(); ++b) {
+    RigidBody<Dim>& body = state.rigid_bodies[b];
+    std::vector<Index>& nodes = state.held[state.held.size() - state.rigid_bodies.size() + b].nodes;
+    nodes.clear();
+    scheme.evaluate(state.grid, body.points, {0, body.points.size()}, body.stencils);
+    for (Index p = 0; p < body.points.size(); ++p) {
+      const StencilGroup<Dim>& group = body.stencils.group_of(p);
+      if (group.lost[p % pack_size]) throw RunError("rigid body '" + body.name + "' leaves the grid");
+      for (int at = p % pack_size; at < group.count * pack_size; at += pack_size)
+        if (group.value[at] > 0.0) nodes.push_back(group.node[at]);
+      if (nodes.size() + static_cast<std::size_t>(group.count) > nodes.capacity()) drop_repeated(nodes);
+    }
+    drop_repeated(nodes);
+  }
+}
+
+template <int Dim>
+void move_rigid_points(State<Dim>& state, double time, double dt) {
+  for (RigidBody<Dim>& body : state.rigid_bodies)
+    for (Index p = 0; p < body.points.size(); ++p) body.points.position[body.axis][p] += dt * body.velocity(time);
+}
+
+template <int Dim>
+void hold_nodes(State<Dim>& state, double time, double dt) {
+  for (HeldNodes& held : state.held) {
+    const double v = held.velocity(time);
+    double impulse = 0.0;
+    for (const Index i : held.nodes) {
+      NodeMotion<Dim>& motion = state.nodes.motion[i];
+      const double change = v - motion.velocity[held.axis];
+      impulse += state.nodes.sums[i].mass * change;
+      motion.velocity[held.axis] = v;
+      motion.acceleration[held.axis] += change / dt;
+    }
+    held.reaction = impulse / dt;
+    state.boundary_work += impulse * v;
+  }
+}
+
+template <int Dim>
+void hold_velocities(State<Dim>& state, double time) {
+  for (const HeldNodes& held : state.held) {
+    const double v = held.velocity(time);
+    for (const Index i : held.nodes) state.nodes.motion[i].velocity[held.axis] = v;
+  }
+}
+
+template std::vector<Index> nodes_of<2>(const Grid<2>&, const NodeCondition<2>&);
+template std::vector<Index> nodes_of<3>(const Grid<3>&, const NodeCondition<3>&);
+template void bind_conditions<2>(State<2>&, const std::vector<NodeCondition<2>>&);
+template void bind_conditions<3>(State<3>&, const std::vector<NodeCondition<3>>&);
+template void find_rigid_nodes<2>(State<2>&, const ShapeFunction<2>&);
+template void find_rigid_nodes<3>(State<3>&, const ShapeFunction<3>&);
+template void move_rigid_points<2>(State<2>&, double, double);
+template void move_rigid_points<3>(State<3>&, double, double);
+template void hold_nodes<2>(State<2>&, double, double);
+template void hold_nodes<3>(State<3>&, double, double);
+template void hold_velocities<2>(State<2>&, double);
+template void hold_velocities<3>(State<3>&, double);
+
+} // namespace riedel

@@ -1,0 +1,17 @@
+/// Forces from outside: pressure on surface points, and the work of loads. Gravity and the virtual stress act in the
+/// transfer itself.
+#pragma once
+
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// f_i += Σ_p N_ip f_p with f_p = −pressure J F⁻ᵀ A_p.
+template <int Dim>
+void add_surface_pressures(State<Dim>& state, const Model<Dim>& model);
+
+/// Power of the surface pressures over one step, with the points' velocities [J or J/m].
+template <int Dim>
+double surface_work(const State<Dim>& state, const Model<Dim>& model, double dt);
+
+} // namespace riedel

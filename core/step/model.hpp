@@ -1,0 +1,48 @@
+/// What does not change in a run.
+#pragma once
+
+#include "core/interface/shape_function.hpp"
+#include "core/step/boundary.hpp"
+
+#include <optional>
+
+namespace riedel {
+
+template <int Dim>
+struct Model;
+
+/// One time step: usf_step, usl_step or musl_step.
+template <int Dim>
+using StepFunction = void (*)(State<Dim>& state, const Model<Dim>& model, double dt);
+
+/// A grid that follows a platen: along `axis` its cells shrink so that node row `driven_row` stays on the platen, while
+/// `fixed_row` stays where it is.
+struct MovingGrid {
+  int axis = 1;
+  Index fixed_row = 0, driven_row = 0;
+  std::function<double(double time)> velocity; ///< of the platen [m/s]
+};
+
+/// A pressure carried by points on a surface: f_p = −pressure J F⁻ᵀ A_p.
+template <int Dim>
+struct SurfacePressure {
+  double pressure = 0.0;              ///< [Pa], pressing when positive
+  std::size_t body = 0;
+  std::vector<Vec<Dim>> initial_area; ///< outward, by point id; zero off the surface [m² or m]
+};
+
+template <int Dim>
+struct Model {
+  std::shared_ptr<const ShapeFunction<Dim>> scheme;
+  StepFunction<Dim> step = nullptr;
+  std::vector<NodeCondition<Dim>> conditions;
+  std::optional<MovingGrid> moving_grid;
+  Vec<Dim> gravity = Vec<Dim>::Zero();     ///< [m/s²]
+  double confining_pressure = 0.0;         ///< p of the virtual stress −p I that acts outside the bodies [Pa]
+  std::vector<SurfacePressure<Dim>> surface_pressures;
+  double flip = 0.99;                      ///< share of FLIP in the velocity update, the rest is PIC [-]
+  double cfl = 0.5;                        ///< share of the stable time step taken [-]
+  double fixed_time_step = 0.0;            ///< [s]; 0: from the law's wave speed
+};
+
+} // namespace riedel

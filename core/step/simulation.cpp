@@ -1,0 +1,97 @@
+#include "core/step/simulation.hpp"
+
+#include "core/step/loads.hpp"
+#include "core/step/locate.hpp"
+#include "core/step/stress_update.hpp"
+
+namespace riedel {
+
+namespace {
+constexpr std::int64_t steps_between_surveys = 10; // the wave speed changes by less than 1 % in that time
+}
+
+template <int Dim>
+Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::move(model)), state_(std::move(state)) {
+  prepare_points(state_, model_);
+  bind_conditions(state_, model_.conditions);
+  locate_points(state_, model_);
+  survey_bodies();
+  potential_at_start_ = potential_of_loads();
+}
+
+template <int Dim>
+void Simulation<Dim>::step() {
+  if (state_.step % steps_between_surveys == 0) survey_bodies();
+  const double dt = time_step_;
+  locate_points(state_, model_);
+  find_rigid_nodes(state_, *model_.scheme);
+  model_.step(state_, model_, dt);
+  state_.load_work += surface_work(state_, model_, dt);
+  move_rigid_points(state_, state_.time + dt, dt);
+  follow_platen(dt);
+  state_.time += dt;
+  ++state_.step;
+}
+
+template <int Dim>
+void Simulation<Dim>::survey_bodies() {
+  double wave = 0.0, fastest_squared = 0.0;
+  std::int64_t outside = 0;
+  for (const Body<Dim>& body : state_.bodies) {
+    const Survey found = survey(body);
+    wave = std::max(wave, found.wave_speed);
+    outside += found.out_of_bounds;
+    for (Index p = 0; p < body.points.size(); ++p)
+      fastest_squared = std::max(fastest_squared, body.points.velocity_of(p).squaredNorm());
+  }
+  out_of_bounds_ = std::max(out_of_bounds_, outside);
+  crossing_time_ = state_.grid.cell.minCoeff() / (wave + std::sqrt(fastest_squared));
+  time_step_ = model_.fixed_time_step > 0.0 ? model_.fixed_time_step : model_.cfl * crossing_time_;
+}
+
+template <int Dim>
+void Simulation<Dim>::follow_platen(double dt) {
+  if (!model_.moving_grid) return;
+  const MovingGrid& moving = *model_.moving_grid;
+  Grid<Dim>& grid = state_.grid;
+  const int a = moving.axis;
+  const double fixed = grid.origin[a] + moving.fixed_row * grid.cell[a];
+  const Index rows = moving.driven_row - moving.fixed_row;
+  const double before = grid.cell[a];
+  grid.cell[a] += moving.velocity(state_.time + dt) * dt / rows;
+  grid.stretch[a] *= grid.cell[a] / before;
+  grid.origin[a] = fixed - moving.fixed_row * grid.cell[a];
+  if (!(grid.cell[a] > 0.0)) throw RunError("the platen has closed the grid at time " + exact_text(state_.time) + " s");
+}
+
+template <int Dim>
+double Simulation<Dim>::potential_of_loads() const {
+  double sum = 0.0;
+  for (const Body<Dim>& body : state_.bodies)
+    for (Index p = 0; p < body.points.size(); ++p)
+      sum += body.points.mass[0][p] * model_.gravity.dot(body.points.position_of(p)) -
+             model_.confining_pressure * body.points.volume[0][p];
+  return sum;
+}
+
+template <int Dim>
+Energies Simulation<Dim>::energies() const {
+  Energies now{.internal = state_.internal_work,
+               .external = state_.boundary_work + state_.load_work + potential_of_loads() - potential_at_start_};
+  for (const Body<Dim>& body : state_.bodies)
+    for (Index p = 0; p < body.points.size(); ++p)
+      now.kinetic += 0.5 * body.points.mass[0][p] * body.points.velocity_of(p).squaredNorm();
+  return now;
+}
+
+template <int Dim>
+double Simulation<Dim>::reaction(std::string_view name) const {
+  for (const HeldNodes& held : state_.held)
+    if (held.name == name) return held.reaction;
+  throw std::out_of_range("no held nodes are called '" + std::string(name) + "'");
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+} // namespace riedel

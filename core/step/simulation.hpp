@@ -1,0 +1,46 @@
+/// A run: state and model, advanced step by step.
+#pragma once
+
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// Energies at one moment [J, or J/m in plane strain].
+struct Energies {
+  double kinetic = 0.0;
+  double internal = 0.0; ///< work of the stresses since the start
+  double external = 0.0; ///< work of platens, gravity, confining pressure and surface loads since the start
+};
+
+template <int Dim>
+class Simulation {
+public:
+  /// Binds conditions to nodes, sorts the points, and finds the first time step. Throws InputError or RunError.
+  Simulation(Model<Dim> model, State<Dim> state);
+
+  /// One step. Throws RunError; the state is then that of the failure, good for a report only.
+  void step();
+
+  [[nodiscard]] const State<Dim>& state() const { return state_; }
+  [[nodiscard]] State<Dim>& state() { return state_; }
+  [[nodiscard]] const Model<Dim>& model() const { return model_; }
+  [[nodiscard]] double time_step() const { return time_step_; }
+  /// min(h)/(c + |v|): the step at which a wave, or a point, crosses a cell [s].
+  [[nodiscard]] double crossing_time() const { return crossing_time_; }
+  [[nodiscard]] std::int64_t out_of_bounds() const { return out_of_bounds_; } ///< most points at once so far
+  [[nodiscard]] Energies energies() const;
+  /// Force on the material at the held nodes called `name`, along their axis, in the last step [N or N/m].
+  [[nodiscard]] double reaction(std::string_view name) const;
+
+private:
+  void survey_bodies();
+  void follow_platen(double dt);
+  [[nodiscard]] double potential_of_loads() const;
+
+  Model<Dim> model_;
+  State<Dim> state_;
+  double time_step_ = 0.0, crossing_time_ = 0.0, potential_at_start_ = 0.0;
+  std::int64_t out_of_bounds_ = 0;
+};
+
+} // namespace riedel

@@ -1,0 +1,72 @@
+/// What changes in a run.
+#pragma once
+
+#include "core/interface/material.hpp"
+#include "core/interface/nonlocal_averager.hpp"
+#include "core/state/cell_order.hpp"
+#include "core/state/nodes.hpp"
+#include "core/state/stencils.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace riedel {
+
+/// Material points of one material.
+template <int Dim>
+struct Body {
+  std::string name;
+  std::shared_ptr<const Material> material;
+  std::unique_ptr<NonlocalAverager<Dim>> averager; ///< null: local
+  int averaged_state = -1;                         ///< column of the state averaged; −1: the rate norm ‖D‖
+  Points<Dim> points;
+  Stencils<Dim> stencils;
+  Slabs slabs;
+  SortSpace sort_space;
+};
+
+/// A rigid block of points that moves through a fixed grid and imposes its velocity, along one axis, on every node its
+/// stencils touch: the paper's platen. Nodes enter and leave it by whole cells, so that its force shows a saw-tooth.
+template <int Dim>
+struct RigidBody {
+  std::string name;
+  Points<Dim> points{};
+  Stencils<Dim> stencils{};
+  int axis = 0;
+  std::function<double(double time)> velocity{}; ///< [m/s]
+};
+
+/// Nodes whose velocity along one axis is prescribed.
+struct HeldNodes {
+  std::string name;
+  int axis = 0;
+  std::vector<Index> nodes;
+  std::function<double(double time)> velocity; ///< [m/s]
+  double reaction = 0.0;                       ///< force on the material along the axis in this step [N or N/m]
+};
+
+/// A block's share of what the stress update tells.
+struct StressShare {
+  MaterialReport report;
+  double work = 0.0; ///< Σ V σ:D Δt [J or J/m]
+};
+
+template <int Dim>
+struct State {
+  double time = 0.0;      ///< [s]
+  std::int64_t step = 0;
+  Grid<Dim> grid;
+  Nodes<Dim> nodes;
+  std::vector<Body<Dim>> bodies;
+  std::vector<RigidBody<Dim>> rigid_bodies;
+  std::vector<HeldNodes> held;  ///< one per node condition, then one per rigid body
+
+  double boundary_work = 0.0;   ///< done by driven boundaries since the start [J or J/m]
+  double load_work = 0.0;       ///< done by surface tractions since the start [J or J/m]
+  double internal_work = 0.0;   ///< ∫ σ:D dV dt since the start [J or J/m]
+  MaterialReport report;        ///< summed since the start
+
+  std::vector<StressShare> shares; ///< working space
+};
+
+} // namespace riedel

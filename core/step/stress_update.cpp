@@ -1,0 +1,161 @@
+#include "core/step/stress_update.hpp"
+
+#include "core/base/parallel.hpp"
+#include "core/step/rotation.hpp"
+
+namespace riedel {
+
+namespace {
+
+constexpr int most_state_columns = 64;
+
+/// One block's columns as a law sees them; lives on the stack.
+template <int Dim>
+struct Block {
+  const Range range;
+  std::array<std::array<double, block_size>, 6> D;
+  std::array<double*, most_state_columns> state{};
+  MaterialBatch batch;
+
+  Block(Points<Dim>& points, Range r, double dt) : range(r) {
+    batch.size = r.size();
+    batch.time_step = dt;
+    for (int c = 0; c < 6; ++c) {
+      batch.stress[c] = points.stress[c] + r.begin;
+      batch.rate[c] = D[c].data();
+    }
+    for (int s = 0; s < points.state.components(); ++s) state[s] = points.state[s] + r.begin;
+    batch.state = {state.data(), static_cast<std::size_t>(points.state.components())};
+  }
+
+  void fill_rate(const Points<Dim>& points) {
+    for (Index p = range.begin, i = 0; p < range.end; ++p, ++i) {
+      Mat<3> L = Mat<3>::Zero();
+      L.template topLeftCorner<Dim, Dim>() = points.velocity_gradient_of(p);
+      const Sym<double> d = to_sym(0.5 * (L + L.transpose()));
+      for (int c = 0; c < 6; ++c) D[c][i] = d.m[c];
+    }
+  }
+
+  [[nodiscard]] double work(const Points<Dim>& points) const {
+    double sum = 0.0;
+    for (Index p = range.begin, i = 0; p < range.end; ++p, ++i) {
+      double power = 0.0;
+      for (int c = 0; c < 6; ++c) power += batch.stress[c][i] * D[c][i];
+      sum += points.volume[0][p] * power;
+    }
+    return sum * batch.time_step;
+  }
+};
+
+/// Calls rotate(columns of a symmetric tensor) for the stress and for each tensor among the state variables.
+template <int Dim, class Rotate>
+void for_each_tensor(Body<Dim>& body, const Rotate& rotate) {
+  const auto columns_from = [](Columns& field, int first) {
+    std::array<double*, 6> columns;
+    for (int c = 0; c < 6; ++c) columns[c] = field[first + c];
+    return columns;
+  };
+  rotate(columns_from(body.points.stress, 0));
+  int column = 0;
+  for (const StateVariable& variable : body.material->states()) {
+    if (variable.components == 6) rotate(columns_from(body.points.state, column));
+    column += variable.components;
+  }
+}
+
+void rotate_block(Body<2>& body, Range block, double dt) {
+  const Points<2>& points = body.points;
+  for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
+    for (Index p = block.begin; p < block.end; p += pack_size) { // columns are padded to whole packs
+      const Pack w = Pack(0.5) * (Pack::load(points.velocity_gradient[1] + p) - Pack::load(points.velocity_gradient[2] + p));
+      Sym<Pack> a = Sym<Pack>::zero();
+      for (const int c : {0, 1, 3}) a.m[c] = Pack::load(tensor[c] + p);
+      rotate_in_plane(a, w, dt);
+      for (const int c : {0, 1, 3}) a.m[c].store(tensor[c] + p);
+    }
+  });
+}
+
+void rotate_block(Body<3>& body, Range block, double dt) {
+  for (Index p = block.begin; p < block.end; ++p) {
+    const Mat<3> Q = rotation_of(body.points.velocity_gradient_of(p), dt);
+    for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
+      Sym<double> a;
+      for (int c = 0; c < 6; ++c) a.m[c] = tensor[c][p];
+      a = rotated(a, Q);
+      for (int c = 0; c < 6; ++c) tensor[c][p] = a.m[c];
+    });
+  }
+}
+
+template <int Dim>
+const double* average(Body<Dim>& body) {
+  if (!body.averager) return nullptr;
+  Points<Dim>& points = body.points;
+  const double* field = body.averaged_state < 0 ? points.rate_norm[0] : points.state[body.averaged_state];
+  body.averager->average(points.position, points.volume[0], field, points.averaged[0]);
+  return points.averaged[0];
+}
+
+template <int Dim>
+[[noreturn]] void report_failure(const State<Dim>& state, const Body<Dim>& body, const MaterialReport& report) {
+  const Index p = report.first_failure;
+  std::string where;
+  for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(body.points.position[a][p]);
+  throw RunError("the law failed at " + std::to_string(report.failures) + " point(s) of '" + body.name +
+                 "', first at point " + std::to_string(body.points.id[p]) + " at (" + where + ") m: " +
+                 std::string(report.reason) + "; step " + std::to_string(state.step) + ", time " +
+                 exact_text(state.time) + " s");
+}
+
+} // namespace
+
+template <int Dim>
+void update_stress(State<Dim>& state, double dt) {
+  for (Body<Dim>& body : state.bodies) {
+    const double* averaged = average(body);
+    const StressShare all = reduce_blocks(
+        body.points.size(), state.shares, StressShare{},
+        [&](Range range) {
+          rotate_block(body, range, dt);
+          Block<Dim> block(body.points, range, dt);
+          block.fill_rate(body.points);
+          block.batch.averaged = averaged ? averaged + range.begin : nullptr;
+          StressShare share;
+          MaterialReport report;
+          body.material->integrate(block.batch, report);
+          share.report.add(report, range.begin);
+          share.work = block.work(body.points);
+          return share;
+        },
+        [](StressShare sum, const StressShare& share) {
+          sum.report.add(share.report, 0);
+          sum.work += share.work;
+          return sum;
+        });
+    if (all.report.failures > 0) report_failure(state, body, all.report);
+    state.report.add(all.report, 0);
+    state.internal_work += all.work;
+  }
+}
+
+template <int Dim>
+Survey survey(const Body<Dim>& body) {
+  Survey all;
+  auto& points = const_cast<Points<Dim>&>(body.points); // a survey only reads the columns
+  for (Index b = 0; b < blocks_of(points.size()); ++b) {
+    const Block<Dim> block(points, block_range(b, points.size()), 0.0);
+    const Survey part = body.material->survey(block.batch);
+    all.wave_speed = std::max(all.wave_speed, part.wave_speed);
+    all.out_of_bounds += part.out_of_bounds;
+  }
+  return all;
+}
+
+template void update_stress<2>(State<2>&, double);
+template void update_stress<3>(State<3>&, double);
+template Survey survey<2>(const Body<2>&);
+template Survey survey<3>(const Body<3>&);
+
+} // namespace riedel

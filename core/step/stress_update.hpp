@@ -1,0 +1,17 @@
+/// From strain rates to stresses: non-local average, rotation, law.
+#pragma once
+
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// Averages the scalar that the law names, rotates stress and tensor state with the material, and lets the law integrate
+/// the step. Throws RunError naming the first point at which the law fails.
+template <int Dim>
+void update_stress(State<Dim>& state, double dt);
+
+/// Greatest wave speed, and points outside the law's bounds, of one body.
+template <int Dim>
+Survey survey(const Body<Dim>& body);
+
+} // namespace riedel

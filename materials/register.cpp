@@ -1,0 +1,25 @@
+#include "materials/register.hpp"
+
+#include "materials/gudehus_bauer.hpp"
+#include "materials/linear_elastic.hpp"
+
+namespace riedel {
+
+namespace {
+template <class Law>
+void add(Materials& materials, std::string summary, std::string source) {
+  materials.add({.name = std::string(Law::name),
+                 .summary = std::move(summary),
+                 .source = std::move(source),
+                 .parameters = Law::parameters()},
+                [](const Values& given) { return std::make_unique<Law>(given); });
+}
+} // namespace
+
+void register_materials(Materials& materials) {
+  add<LinearElastic>(materials, "Hooke's law in rates", "-");
+  add<GudehusBauer>(materials, "hypoplastic sand, local or non-local (averages rate_norm)",
+                    "Gudehus (1996), Bauer (1996)");
+}
+
+} // namespace riedel

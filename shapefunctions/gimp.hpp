@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/interface/shape_function.hpp"
+
+namespace riedel {
+
+/// Uniform GIMP: hats averaged over a box that keeps its share of a cell.
+/// Bardenhagen & Kober (2004), Comput. Model. Eng. Sci. 5, 477–495.
+template <int Dim>
+class Gimp final : public ShapeFunction<Dim> {
+public:
+  static constexpr std::string_view name = "gimp";
+
+  [[nodiscard]] int max_nodes() const override { return power(3, Dim); }
+  [[nodiscard]] int margin() const override { return 1; }
+  void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
+  [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
+};
+
+/// Contiguous-particle GIMP: the box follows the point's stretch, half width l_a = l_a0 U_aa with U the right stretch of
+/// F = R U, so that a rotation leaves it as it is; never wider than a cell.
+/// Wallstedt & Guilkey (2008), J. Comput. Phys. 227, 9628–9642; U as in Charlton, Coombs & Augarde (2017).
+template <int Dim>
+class Cpgimp final : public ShapeFunction<Dim> {
+public:
+  static constexpr std::string_view name = "cpgimp";
+
+  [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
+  [[nodiscard]] int margin() const override { return 2; }
+  void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
+  [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
+};
+
+} // namespace riedel

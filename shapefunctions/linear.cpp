@@ -1,0 +1,37 @@
+#include "shapefunctions/linear.hpp"
+
+#include "shapefunctions/tensor_product.hpp"
+
+namespace riedel {
+
+namespace {
+/// N = 1 − |r|/h.
+template <class Real>
+ValueSlope<Real> hat(Real r, Real h, Real) {
+  return {.value = max(Real(1.0) - abs(r) / h, Real(0.0)), .slope = copysign(Real(1.0) / h, -r)};
+}
+} // namespace
+
+template <int Dim>
+void Linear<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
+                           Stencils<Dim>& stencils) const {
+  for (Index p = block.begin; p < block.end; p += pack_size) {
+    std::array<AxisLanes, Dim> lanes;
+    for (int a = 0; a < Dim; ++a)
+      lanes[a] = {.position = load_lanes(points.position[a], p, points.size()), .half_width = Pack(0.0)};
+    fill_tensor_product<Dim>(grid, lanes, 2, stencils.group_of(p), hat<Pack>);
+  }
+}
+
+template <int Dim>
+Mat<Dim> Linear<Dim>::domain(const Grid<Dim>&, const Points<Dim>& points, Index p) const {
+  // The scheme knows no domain; a box of the point's volume, in the proportions it started with, stands for it.
+  Vec<Dim> half;
+  for (int a = 0; a < Dim; ++a) half[a] = points.half_size[a][p];
+  return (half * std::pow(points.volume[0][p] / points.initial_volume[0][p], 1.0 / Dim)).asDiagonal();
+}
+
+template class Linear<2>;
+template class Linear<3>;
+
+} // namespace riedel

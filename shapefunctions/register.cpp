@@ -1,0 +1,32 @@
+#include "shapefunctions/register.hpp"
+
+#include "shapefunctions/cpdi.hpp"
+#include "shapefunctions/gimp.hpp"
+#include "shapefunctions/linear.hpp"
+
+namespace riedel {
+
+namespace {
+template <class Scheme, int Dim>
+void add(ShapeFunctions<Dim>& schemes, std::string summary, std::string source) {
+  schemes.add({.name = std::string(Scheme::name), .summary = std::move(summary), .source = std::move(source)},
+              [] { return std::make_unique<Scheme>(); });
+}
+} // namespace
+
+template <int Dim>
+void register_shape_functions(ShapeFunctions<Dim>& schemes) {
+  add<Linear<Dim>>(schemes, "multilinear hats at the point: the standard material point method",
+                   "Sulsky, Chen & Schreyer (1994)");
+  add<Gimp<Dim>>(schemes, "uniform GIMP: hats averaged over a box of fixed share of a cell",
+                 "Bardenhagen & Kober (2004)");
+  add<Cpgimp<Dim>>(schemes, "contiguous-particle GIMP: the box follows the point's stretch",
+                   "Wallstedt & Guilkey (2008)");
+  add<Cpdi<Dim>>(schemes, "convected particle domain interpolation: the domain deforms with F",
+                 "Sadeghirad, Brannon & Burghardt (2011)");
+}
+
+template void register_shape_functions<2>(ShapeFunctions<2>&);
+template void register_shape_functions<3>(ShapeFunctions<3>&);
+
+} // namespace riedel
