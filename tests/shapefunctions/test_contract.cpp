@@ -1,0 +1,195 @@
+/// What every registered scheme owes, in two and three dimensions.
+#include "support/problems.hpp"
+
+#include <gtest/gtest.h>
+
+namespace riedel::test {
+namespace {
+
+/// Points spread over a grid, on faces and nodes too, with deformed domains.
+template <int Dim>
+struct Cloud {
+  Grid<Dim> grid = grid_of<Dim>(cells(), 0.5, 4);
+  Points<Dim> points;
+  Stencils<Dim> stencils;
+  std::shared_ptr<const ShapeFunction<Dim>> shape;
+
+  static Counts<Dim> cells() {
+    Counts<Dim> c;
+    c.fill(3);
+    return c;
+  }
+
+  Cloud(const std::string& name, double share_of_cell, double deformation, Index count = 203) : shape(scheme<Dim>(name)) {
+    grid.cell[0] = 0.4; // cells need not be square
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    points.resize(count, 0);
+    for (Index p = 0; p < count; ++p) {
+      for (int a = 0; a < Dim; ++a) {
+        const double x = 3.0 * unit(random);
+        const double snapped = p % 5 == 0 ? std::round(x) : p % 5 == 1 ? std::round(2 * x) / 2 : x; // nodes, midpoints
+        points.position[a][p] = snapped * grid.cell[a];
+        points.half_size[a][p] = share_of_cell * grid.cell[a];
+      }
+      for (int c = 0; c < Dim * Dim; ++c)
+        points.deformation_gradient[c][p] += deformation * (2.0 * unit(random) - 1.0);
+    }
+    stencils.resize(count, shape->max_nodes());
+    shape->evaluate(grid, points, {0, count}, stencils);
+  }
+
+  /// Σ_entries f(N, ∇N, x_i) of point p.
+  template <class T, class F>
+  T sum(Index p, T start, const F& f) const {
+    const StencilGroup<Dim>& group = stencils.group_of(p);
+    const int lane = p % pack_size;
+    for (int e = 0; e < group.count; ++e) {
+      Vec<Dim> slope;
+      for (int a = 0; a < Dim; ++a) slope[a] = group.slope[(e * Dim + a) * pack_size + lane];
+      start += f(group.value[e * pack_size + lane], slope, grid.position(grid.index(group.node[e * pack_size + lane])));
+    }
+    return start;
+  }
+};
+
+template <int Dim>
+void weights_sum_to_one(const std::string& name) {
+  const Cloud<Dim> cloud(name, 0.5, 0.3);
+  for (Index p = 0; p < cloud.points.size(); ++p) {
+    EXPECT_NEAR(cloud.sum(p, 0.0, [](double N, auto&, auto) { return N; }), 1.0, 1e-14);
+    const Vec<Dim> slopes = cloud.sum(p, Vec<Dim>(Vec<Dim>::Zero()), [](double, const Vec<Dim>& dN, auto) { return dN; });
+    EXPECT_LT(slopes.norm(), 1e-12);
+  }
+}
+
+template <int Dim>
+void linear_fields_are_exact(const std::string& name) {
+  const Cloud<Dim> cloud(name, 0.5, 0.3);
+  for (Index p = 0; p < cloud.points.size(); ++p) {
+    const Vec<Dim> x = cloud.sum(p, Vec<Dim>(Vec<Dim>::Zero()),
+                                 [](double N, auto&, const Vec<Dim>& x_i) { return Vec<Dim>(N * x_i); });
+    EXPECT_LT((x - cloud.points.position_of(p)).norm(), 1e-14) << "point " << p;
+    const Mat<Dim> gradient =
+        cloud.sum(p, Mat<Dim>(Mat<Dim>::Zero()), [](double, const Vec<Dim>& dN, const Vec<Dim>& x_i) {
+          return Mat<Dim>(x_i * dN.transpose());
+        });
+    EXPECT_LT((gradient - Mat<Dim>::Identity()).norm(), 1e-12) << "point " << p;
+  }
+}
+
+/// With the whole domain inside one cell, where hats are multilinear, ∇N is the derivative of N for any scheme.
+template <int Dim>
+void slopes_match_difference_quotients(const std::string& name) {
+  constexpr double step = 1e-5;
+  Cloud<Dim> cloud(name, 0.1, 0.3);
+  for (Index p = 0; p < cloud.points.size(); ++p)
+    for (int a = 0; a < Dim; ++a) {
+      const double place = cloud.points.position[a][p] / cloud.grid.cell[a];
+      cloud.points.position[a][p] = (std::floor(place) + 0.3 + 0.4 * (place - std::floor(place))) * cloud.grid.cell[a];
+    }
+  const Columns places = cloud.points.position;
+  for (int a = 0; a < Dim; ++a) {
+    std::array<std::vector<std::vector<double>>, 3> weights; // by node, at −step, 0, +step; [2] holds slopes
+    for (const int side : {0, 1, 2}) {
+      cloud.points.position = places;
+      for (Index p = 0; p < places.size(); ++p) cloud.points.position[a][p] += (side - 1) * step;
+      cloud.shape->evaluate(cloud.grid, cloud.points, {0, places.size()}, cloud.stencils);
+      for (Index p = 0; p < places.size(); ++p) {
+        std::vector<double> at_node(static_cast<std::size_t>(cloud.grid.node_count()), 0.0);
+        const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
+        for (int e = 0; e < group.count; ++e)
+          at_node[static_cast<std::size_t>(group.node[e * pack_size + p % pack_size])] +=
+              side == 1 ? group.slope[(e * Dim + a) * pack_size + p % pack_size]
+                        : group.value[e * pack_size + p % pack_size];
+        weights[static_cast<std::size_t>(side)].push_back(std::move(at_node));
+      }
+    }
+    for (std::size_t p = 0; p < weights[1].size(); ++p)
+      for (std::size_t i = 0; i < weights[1][p].size(); ++i)
+        EXPECT_NEAR((weights[2][p][i] - weights[0][p][i]) / (2 * step), weights[1][p][i], 1e-8);
+  }
+}
+
+template <int Dim>
+void a_point_out_of_reach_is_marked(const std::string& name) {
+  Cloud<Dim> cloud(name, 0.5, 0.0);
+  cloud.points.position[0][13] = cloud.grid.origin[0] - 0.1 * cloud.grid.cell[0];
+  cloud.points.position[1][14] = std::numeric_limits<double>::quiet_NaN();
+  cloud.shape->evaluate(cloud.grid, cloud.points, {0, cloud.points.size()}, cloud.stencils);
+  for (Index p = 0; p < cloud.points.size(); ++p) {
+    EXPECT_EQ(cloud.stencils.group_of(p).lost[p % pack_size], p == 13 || p == 14) << "point " << p;
+    if (p == 13 || p == 14) {
+      EXPECT_EQ(cloud.sum(p, 0.0, [](double N, auto& dN, auto) { return std::abs(N) + dN.norm(); }), 0.0);
+    }
+  }
+}
+
+template <int Dim>
+void rows_and_margin_hold_the_support(const std::string& name) {
+  const Cloud<Dim> cloud(name, 0.5, 0.1);
+  for (Index p = 0; p < cloud.points.size(); ++p) {
+    const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
+    EXPECT_LE(group.count, cloud.shape->max_nodes());
+    for (int e = 0; e < group.count; ++e) {
+      const Counts<Dim> node = cloud.grid.index(group.node[e * pack_size + p % pack_size]);
+      EXPECT_GE(node[Dim - 1], group.lowest_row);
+      EXPECT_LE(node[Dim - 1], group.highest_row);
+      for (int a = 0; a < Dim; ++a) {
+        const double away = (cloud.grid.position(node)[a] - cloud.points.position[a][p]) / cloud.grid.cell[a];
+        EXPECT_LE(std::abs(away), cloud.shape->margin() + 2.0);
+      }
+    }
+  }
+}
+
+template <int Dim>
+void a_point_gets_the_same_bits_in_any_lane(const std::string& name) {
+  const Cloud<Dim> all(name, 0.4, 0.2, 64);
+  Cloud<Dim> shifted(name, 0.4, 0.2, 61);
+  const auto copy = [&](auto member) {
+    for (int c = 0; c < (all.points.*member).components(); ++c)
+      std::copy_n((all.points.*member)[c] + 3, 61, (shifted.points.*member)[c]);
+  };
+  copy(&Points<Dim>::position);
+  copy(&Points<Dim>::half_size);
+  copy(&Points<Dim>::deformation_gradient);
+  shifted.shape->evaluate(shifted.grid, shifted.points, {0, 61}, shifted.stencils);
+  const auto total = [](const Cloud<Dim>& cloud, Index p) {
+    return cloud.sum(p, 0.0, [](double N, const Vec<Dim>& dN, const Vec<Dim>& x) { return N * x.sum() + dN.dot(x); });
+  };
+  for (Index p = 0; p < 61; ++p) EXPECT_NEAR(total(shifted, p), total(all, p + 3), 1e-14);
+}
+
+class EveryScheme : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryScheme, HasWeightsThatSumToOneAndSlopesThatSumToZero) {
+  weights_sum_to_one<2>(GetParam());
+  weights_sum_to_one<3>(GetParam());
+}
+TEST_P(EveryScheme, ReproducesALinearFieldAndItsGradientInEveryCell) {
+  linear_fields_are_exact<2>(GetParam());
+  linear_fields_are_exact<3>(GetParam());
+}
+TEST_P(EveryScheme, HasSlopesThatMatchDifferenceQuotients) {
+  slopes_match_difference_quotients<2>(GetParam());
+  slopes_match_difference_quotients<3>(GetParam());
+}
+TEST_P(EveryScheme, MarksAPointWhoseSupportLeavesTheGrid) {
+  a_point_out_of_reach_is_marked<2>(GetParam());
+  a_point_out_of_reach_is_marked<3>(GetParam());
+}
+TEST_P(EveryScheme, TellsTheRowsAndTheMarginOfItsSupport) {
+  rows_and_margin_hold_the_support<2>(GetParam());
+  rows_and_margin_hold_the_support<3>(GetParam());
+}
+TEST_P(EveryScheme, GivesAPointTheSameWeightsInAnyLane) {
+  a_point_gets_the_same_bits_in_any_lane<2>(GetParam());
+  a_point_gets_the_same_bits_in_any_lane<3>(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryScheme, testing::ValuesIn(scheme_names()),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
+} // namespace riedel::test
