@@ -52,6 +52,7 @@ void GaussAverager<Dim>::search(const Columns& positions) {
   searched_at_ = positions;
   weight_.resize(rows_.index.size());
   load_.resize(static_cast<std::size_t>(positions.size()));
+  stayed_.resize(static_cast<std::size_t>(blocks_of(positions.size())));
 }
 
 /// ω of every pair of the block: first all distances, then the weights, eight at a time.
