@@ -1,0 +1,30 @@
+/// Neighbours by bins: points are sorted into square cells a radius wide and look into the cells around their own.
+#pragma once
+
+#include "core/interface/neighbour_search.hpp"
+
+namespace riedel {
+
+/// Cells are hashed into about as many bins as there are points, so that memory does not grow with the space between
+/// them: a few points far away cost nothing.
+template <int Dim>
+class CellList final : public NeighbourSearch<Dim> {
+public:
+  void find(const Columns& positions, double radius, NeighbourRows& rows) override;
+
+private:
+  using Cell = std::array<std::int64_t, Dim>;
+
+  void sort_into_bins(const Columns& positions);
+  [[nodiscard]] Cell cell_of(const Columns& positions, Index p) const;
+  [[nodiscard]] std::size_t bin_of(const Cell& cell) const;
+  void append_surroundings(const Cell& centre, std::vector<Index>& list) const;
+
+  double side_ = 0.0;              ///< of a cell [m]
+  Vec<Dim> origin_;                ///< corner of cell (0, 0[, 0]) [m]
+  std::size_t last_bin_ = 0;       ///< bins less one; the bins are a power of two
+  std::vector<std::size_t> first_; ///< of each bin, in `sorted_`
+  std::vector<Index> sorted_;      ///< points by bin, rising within one
+};
+
+} // namespace riedel

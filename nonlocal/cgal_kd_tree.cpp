@@ -1,0 +1,75 @@
+#include "nonlocal/cgal_kd_tree.hpp"
+
+#include "nonlocal/rows.hpp"
+
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits_2.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+
+namespace riedel {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+
+template <int Dim>
+struct Cgal;
+template <>
+struct Cgal<2> {
+  using Point = Kernel::Point_2;
+  using Traits = CGAL::Search_traits_2<Kernel>;
+  static Point point(const Columns& x, Index p) { return {x[0][p], x[1][p]}; }
+};
+template <>
+struct Cgal<3> {
+  using Point = Kernel::Point_3;
+  using Traits = CGAL::Search_traits_3<Kernel>;
+  static Point point(const Columns& x, Index p) { return {x[0][p], x[1][p], x[2][p]}; }
+};
+
+/// Tells the tree, which stores numbers of points, where a point lies.
+template <class Point>
+struct PlaceOf {
+  using key_type = Index;
+  using value_type = Point;
+  using reference = const Point&;
+  using category = boost::lvalue_property_map_tag;
+
+  const Point* places = nullptr;
+  reference operator[](Index p) const { return places[p]; }
+  friend reference get(const PlaceOf& map, Index p) { return map.places[p]; }
+};
+
+} // namespace
+
+template <int Dim>
+void CgalKdTree<Dim>::find(const Columns& positions, double radius, NeighbourRows& rows) {
+  using Point = typename Cgal<Dim>::Point;
+  using Traits = CGAL::Search_traits_adapter<Index, PlaceOf<Point>, typename Cgal<Dim>::Traits>;
+  using Tree = CGAL::Kd_tree<Traits>;
+
+  require_finite<Dim>(positions);
+  std::vector<Point> places(static_cast<std::size_t>(positions.size()));
+  std::vector<Index> numbers(places.size());
+  for (Index p = 0; p < positions.size(); ++p) {
+    places[p] = Cgal<Dim>::point(positions, p);
+    numbers[p] = p;
+  }
+  const Traits traits(PlaceOf<Point>{places.data()});
+  Tree tree(numbers.begin(), numbers.end(), typename Tree::Splitter(), traits);
+  if (!numbers.empty()) tree.build(); // now, since the queries below run at the same time
+
+  // The tree rounds distances in its own way, so it is asked for a little more.
+  const double reach = radius * (1.0 + 1e-12) + std::numeric_limits<double>::min();
+  fill_rows<Dim>(positions, radius, rows, [&](Index p, std::vector<Index>& list) {
+    tree.search(std::back_inserter(list), CGAL::Fuzzy_sphere<Traits>(places[p], reach, 0.0, traits));
+  });
+}
+
+template class CgalKdTree<2>;
+template class CgalKdTree<3>;
+
+} // namespace riedel

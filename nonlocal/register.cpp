@@ -1,0 +1,39 @@
+#include "nonlocal/register.hpp"
+
+#include "nonlocal/cell_list.hpp"
+#include "nonlocal/cgal_kd_tree.hpp"
+#include "nonlocal/gauss.hpp"
+
+namespace riedel {
+
+namespace {
+
+template <class Search>
+auto make_search() {
+  return [] { return std::make_unique<Search>(); };
+}
+
+template <class Averager, class Search>
+auto make_averager() {
+  return [](double length, std::unique_ptr<Search> search) {
+    return std::make_unique<Averager>(length, std::move(search));
+  };
+}
+
+} // namespace
+
+template <int Dim>
+void register_nonlocal(CatalogueOf<Dim>& catalogue) {
+  catalogue.searches.add({"cgal_kd_tree", "k-d tree of CGAL", "Bentley (1975), Commun. ACM 18"},
+                         make_search<CgalKdTree<Dim>>());
+  catalogue.searches.add({"cell_list", "bins a radius wide, without CGAL", "Hockney & Eastwood (1981)"},
+                         make_search<CellList<Dim>>());
+  catalogue.averagers.add({"gauss", "sum over pairs with Gauss's weights, cut at 3 l_c",
+                           "Krzyżanowski, Wójcik & Tejchman (2020), eqs. (1), (2)"},
+                          make_averager<GaussAverager<Dim>, NeighbourSearch<Dim>>());
+}
+
+template void register_nonlocal<2>(CatalogueOf<2>&);
+template void register_nonlocal<3>(CatalogueOf<3>&);
+
+} // namespace riedel

@@ -1,0 +1,28 @@
+/// How much a neighbour counts, by its distance.
+#pragma once
+
+#include "core/base/pack.hpp"
+
+namespace riedel {
+
+/// ω(r) = exp(−(r/l_c)²), cut at r = 3 l_c, where it has fallen to 1.2e-4. Krzyżanowski et al. (2020), eq. (2), without
+/// its prefactor, which the average divides out.
+class GaussWeight {
+public:
+  static constexpr double cut = 3.0; ///< where the weight ends, in l_c [-]
+
+  /// @param length l_c [m]
+  explicit GaussWeight(double length) : per_square_(1.0 / square(length)) {}
+
+  /// @param squared r² [m²]   @return ω [-]
+  template <class Real>
+  [[nodiscard]] Real operator()(const Real& squared) const {
+    const Real s = squared * Real(per_square_);
+    return select(s <= Real(square(cut)), exp(-s), Real(0.0));
+  }
+
+private:
+  double per_square_; ///< 1/l_c² [1/m²]
+};
+
+} // namespace riedel
