@@ -37,6 +37,11 @@ Bounds within(double lower, double upper) {
   return {.lower = lower, .upper = upper, .lower_included = false, .upper_included = false};
 }
 
+bool Key::takes_number() const {
+  return std::holds_alternative<double>(default_value) ||
+         (std::holds_alternative<std::string>(default_value) && !unit.empty());
+}
+
 Values::Values(const Keys& keys) {
   for (const Key& key : keys) set(key.name, key.default_value);
 }

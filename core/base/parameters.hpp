@@ -35,6 +35,10 @@ struct Key {
   Bounds bounds;
   std::string doc;
   std::vector<std::string> choices = {}; ///< for texts with a closed list; empty: any text
+
+  /// A number, or a word of `choices` that may also be replaced by a number because the key has a unit (`step =
+  /// "auto"`).
+  [[nodiscard]] bool takes_number() const;
 };
 using Keys = std::vector<Key>;
 
@@ -48,6 +52,7 @@ public:
   [[nodiscard]] bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
   [[nodiscard]] const Value& at(std::string_view name) const; ///< throws std::out_of_range that names the key
   [[nodiscard]] double number(std::string_view name) const;   ///< integers count as numbers
+  [[nodiscard]] bool is_text(std::string_view name) const { return std::holds_alternative<std::string>(at(name)); }
   [[nodiscard]] std::int64_t integer(std::string_view name) const { return std::get<std::int64_t>(at(name)); }
   [[nodiscard]] bool flag(std::string_view name) const { return std::get<bool>(at(name)); }
   [[nodiscard]] const std::string& text(std::string_view name) const { return std::get<std::string>(at(name)); }

@@ -1,0 +1,53 @@
+/// A case: a TOML file, the settings of the command line on top of it, and what a table of keys makes of both.
+#pragma once
+
+#include "core/io/given.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace riedel {
+
+/// Something to tell about the values of some keys; the first key says where.
+struct Finding {
+  std::vector<std::string> keys;
+  std::string text; ///< without the place
+};
+
+/// Values in force, with the default wherever the given one is wrong, and what is wrong.
+struct CheckedValues {
+  Values values;
+  std::vector<Finding> errors;
+};
+
+class CaseFile {
+public:
+  /// Nothing given: every key keeps its default.
+  static CaseFile empty() { return {}; }
+  /// @throws InputError: missing, unreadable, or not TOML (with line and column)
+  static CaseFile read(const std::filesystem::path& path);
+
+  /// One `--set key.path=value`; the value is TOML, or else a text as it stands. The last setting of a key wins.
+  void override_with(std::string_view assignment);
+
+  /// The text given for a key, before validation: a law's name decides which parameters there are.
+  [[nodiscard]] std::optional<std::string> peek_text(std::string_view key) const;
+
+  /// Where a key was given: "case.toml:12:9: specimen.width", "--set specimen.width" or "specimen.width (default)".
+  [[nodiscard]] std::string place(std::string_view key) const;
+
+  /// Checks everything that was given against the keys.
+  [[nodiscard]] CheckedValues check(const Keys& keys) const;
+  /// The same, but throws one InputError with a line for each error.
+  [[nodiscard]] Values validate(const Keys& keys) const;
+
+  /// A line per finding, each beginning with its place.
+  [[nodiscard]] std::string lines(const std::vector<Finding>& findings) const;
+
+private:
+  [[nodiscard]] const Given* find(std::string_view key) const;
+
+  std::vector<Given> given_; ///< in the order of the file, then that of the settings
+};
+
+} // namespace riedel

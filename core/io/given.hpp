@@ -1,0 +1,27 @@
+/// A case as it was written, before any table of keys says what it should be.
+#pragma once
+
+#include "core/base/parameters.hpp"
+
+namespace riedel {
+
+/// std::monostate stands for what no key takes, such as a date or a list in a list.
+using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+struct Given {
+  enum class Kind { single, list, empty_section };
+
+  std::string name;  ///< dotted path of the key
+  std::string place; ///< "case.toml:12:9: specimen.width" or "--set specimen.width": every message begins with it
+  std::string text;  ///< the value as TOML, for messages
+  std::vector<Scalar> items; ///< one for a single value
+  Kind kind = Kind::single;
+};
+
+/// What a key takes, in words: "a number > 0 in m, or a text with a unit (m, cm, mm, um)".
+std::string wanted(const Key& key);
+
+/// @throws InputError that says what was given and what is allowed, without the place
+Value convert(const Given& given, const Key& key);
+
+} // namespace riedel

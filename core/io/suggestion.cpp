@@ -1,0 +1,50 @@
+#include "core/io/suggestion.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace riedel {
+
+namespace {
+std::string_view last_part(std::string_view word) { return word.substr(word.rfind('.') + 1); } // npos + 1 is 0
+} // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+  const std::size_t width = b.size() + 1;
+  std::vector<int> before(width), above(width), row(width); // rows i − 2, i − 1 and i of the table
+  for (std::size_t j = 0; j < width; ++j) above[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j < width; ++j) {
+      const int replaced = above[j - 1] + (a[i - 1] != b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    std::swap(before, above);
+    std::swap(above, row);
+  }
+  return above.back();
+}
+
+std::string nearest(std::string_view word, std::span<const std::string> known) {
+  const int most = std::max(1, static_cast<int>(last_part(word).size()) / 3);
+  int best = most + 1;
+  std::string answer;
+  for (const std::string& candidate : known) {
+    const int whole = edit_distance(word, candidate);
+    const int tail =
+        candidate.find('.') == std::string::npos ? best : edit_distance(last_part(word), last_part(candidate)) + 1;
+    if (const int distance = std::min(whole, tail); distance < best) {
+      best = distance;
+      answer = candidate;
+    }
+  }
+  return answer;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
+  const std::string near = nearest(word, known);
+  return near.empty() ? near : " (did you mean '" + near + "'?)";
+}
+
+} // namespace riedel
