@@ -1,0 +1,29 @@
+#include "core/io/frame.hpp"
+
+#include "core/base/error.hpp"
+
+namespace riedel {
+
+const Field& Frame::field(const std::string& name) const {
+  std::string known;
+  for (const Field& f : fields) {
+    if (f.name == name) return f;
+    known += (known.empty() ? "" : ", ") + f.name;
+  }
+  throw InputError("no field '" + name + "' to draw; there are: " + known);
+}
+
+void Frame::check() const {
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) throw std::logic_error("frame: " + what);
+  };
+  require(dimension == 2 || dimension == 3, "dimension is neither 2 nor 3");
+  require(position.size() % 3 == 0, "positions need three coordinates");
+  require(corners.empty() || corners.size() == position.size() * static_cast<std::size_t>(corners_per_point()),
+          "corners do not match the points");
+  for (const Field& f : fields)
+    require(f.values.size() == points() * static_cast<std::size_t>(f.components),
+            "field '" + f.name + "' does not match the points");
+}
+
+} // namespace riedel

@@ -1,0 +1,37 @@
+/// What a drawing or a file shows of one instant of a run: plain numbers that know nothing of the simulation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace riedel {
+
+/// One quantity of every point; the components of a point stand next to each other.
+struct Field {
+  std::string name;
+  int components = 1;
+  std::string unit;           ///< "Pa", "-", ... shown by ParaView beside the name
+  std::vector<double> values; ///< components × points
+};
+
+struct Frame {
+  int dimension = 2;            ///< 2 or 3
+  double time = 0;              ///< [s]
+  double u_over_h = 0;          ///< displacement of the loaded side over the initial height [-]
+  std::vector<double> position; ///< x, y, z of each point [m]; z = 0 in 2-D
+  /// x, y, z of the 2^dimension corners of each point's domain [m]: counter-clockwise in 2-D, in the order of
+  /// VTK_HEXAHEDRON in 3-D. Empty when the points have no domains.
+  std::vector<double> corners;
+  std::vector<Field> fields;
+
+  [[nodiscard]] std::size_t points() const { return position.size() / 3; }
+  [[nodiscard]] int corners_per_point() const { return 1 << dimension; }
+
+  /// The field of that name; throws InputError that lists the names there are.
+  [[nodiscard]] const Field& field(const std::string& name) const;
+
+  /// Throws std::logic_error unless every array has the length that dimension and number of points ask for.
+  void check() const;
+};
+
+} // namespace riedel

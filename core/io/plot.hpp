@@ -1,0 +1,42 @@
+/// Curves over one pair of axes, as SVG for papers and as PNG for a glance.
+#pragma once
+
+#include "core/io/scale.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace riedel {
+
+enum class Style { solid, dashed, dotted, dots };
+
+/// Values that are not finite interrupt the curve.
+struct Series {
+  std::string label; ///< empty: not in the legend
+  std::vector<double> x, y;
+  Style style = Style::solid;
+  std::optional<Color> color = {}; ///< by default the next of a palette that the colour-blind can tell apart
+};
+
+/// A horizontal line, for instance at a peak value of the literature.
+struct ReferenceLine {
+  double y = 0;
+  std::string label; ///< stands on the line, where no curve passes
+};
+
+struct Plot {
+  std::string title, x_label, y_label; ///< UTF-8; with the unit, as in "mobilised friction angle φ [°]"
+  std::vector<Series> series;
+  std::vector<ReferenceLine> references = {};
+  std::optional<Interval> x_range = {}, y_range = {}; ///< from the data if not given; curves are cut at the axes
+  double width = 640, height = 440;                   ///< a PNG has 2.5 pixels for each
+};
+
+/// Both throw RunError with path and reason if the file cannot be written, and InputError if a curve has not as many x
+/// as y.
+void write_svg(const std::filesystem::path& path, const Plot& plot);
+void write_png(const std::filesystem::path& path, const Plot& plot);
+
+} // namespace riedel

@@ -1,0 +1,75 @@
+#include "core/io/scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace riedel {
+
+void Extent::add(double value) {
+  if (!std::isfinite(value)) return;
+  low_ = std::min(low_, value);
+  high_ = std::max(high_, value);
+}
+
+Interval Extent::interval(double margin) const {
+  if (low_ > high_) return {0, 1};
+  if (high_ - low_ <= 1e-12 * std::abs(high_) || high_ == low_) { // all the same, but for rounding
+    const double half = high_ != 0 ? 0.05 * std::abs(high_) : 0.5;
+    return {low_ - half, high_ + half};
+  }
+  const double extra = margin * (high_ - low_);
+  const bool from_zero = margin > 0 && low_ >= 0 && low_ < 0.3 * high_;
+  return {from_zero ? 0 : low_ - extra, high_ + extra};
+}
+
+std::vector<double> round_ticks(const Interval& interval, int about) {
+  const double rough = interval.width() / about, power = std::pow(10.0, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (double factor : {5.0, 2.0, 1.0})
+    if (factor * power >= 0.7 * rough) step = factor * power;
+  std::vector<double> ticks;
+  const double slack = 1e-9 * interval.width();
+  for (double k = std::ceil((interval.low - slack) / step); k * step <= interval.high + slack; ++k)
+    ticks.push_back(k * step);
+  return ticks;
+}
+
+std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
+  double largest = 0;
+  for (double tick : ticks) largest = std::max(largest, std::abs(tick));
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : std::max(largest, 1e-300);
+  const bool powers = largest >= 1e5 || (largest > 0 && largest < 1e-3);
+  const double unit = powers ? std::pow(10.0, std::floor(std::log10(largest) + 1e-9)) : 1;
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step / unit) + 1e-9)));
+
+  std::vector<std::string> labels;
+  for (double tick : ticks) {
+    std::array<char, 64> text{};
+    const double shown = std::abs(tick) < step / 2 ? 0 : std::abs(tick);
+    if (powers && shown > 0) {
+      const int exponent = static_cast<int>(std::lround(std::log10(unit)));
+      std::snprintf(text.data(), text.size(), "%.*fe%d", decimals, shown / unit, exponent);
+    } else {
+      std::snprintf(text.data(), text.size(), "%.*f", powers ? 0 : decimals, shown);
+    }
+    labels.push_back((shown > 0 && tick < 0 ? "−" : "") + std::string(text.data()));
+  }
+  return labels;
+}
+
+Color viridis(double part) {
+  // Eleven even steps of the map by van der Walt and Smith (2015), straight lines between.
+  constexpr std::array<unsigned, 11> stops{0x440154, 0x482475, 0x414487, 0x355f8d, 0x2a788e, 0x21918c,
+                                           0x22a884, 0x44bf70, 0x7ad151, 0xbddf26, 0xfde725};
+  const double at = std::clamp(part, 0.0, 1.0) * 10;
+  const std::size_t i = std::min<std::size_t>(static_cast<std::size_t>(at), 9);
+  const auto channel = [&](unsigned shift) {
+    const auto byte = [&](std::size_t stop) { return static_cast<double>((stops[stop] >> shift) & 255U); };
+    return std::lerp(byte(i), byte(i + 1), at - static_cast<double>(i)) / 255;
+  };
+  return {channel(16), channel(8), channel(0)};
+}
+
+} // namespace riedel

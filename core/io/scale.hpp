@@ -1,0 +1,40 @@
+/// Numbers along an axis: round ticks, short labels, colours of a colour bar.
+#pragma once
+
+#include "core/io/canvas.hpp"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace riedel {
+
+/// From low to high, in the unit of the axis.
+struct Interval {
+  double low = 0, high = 1;
+  [[nodiscard]] double width() const { return high - low; }
+  [[nodiscard]] double part(double value) const { return (value - low) / (high - low); } ///< 0 at low, 1 at high
+};
+
+/// The range of the finite ones among the values it is given.
+class Extent {
+public:
+  void add(double value);
+  /// Never of zero width. @param margin part of the width that is added on both sides; with a margin, a low
+  /// end that is near zero becomes zero
+  [[nodiscard]] Interval interval(double margin) const;
+
+private:
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten within the interval, about as many as asked for.
+std::vector<double> round_ticks(const Interval& interval, int about);
+
+/// Labels of those ticks with just the decimals that tell them apart, and a true minus sign.
+std::vector<std::string> tick_labels(const std::vector<double>& ticks);
+
+/// The colour map viridis: dark purple at 0, yellow at 1, evenly perceived between, in print and by the colour-blind.
+Color viridis(double part);
+
+} // namespace riedel
