@@ -1,6 +1,7 @@
 // The rules of the house, held against the house itself.
 #include "architecture/rules.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace riedel::architecture {
