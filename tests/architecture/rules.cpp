@@ -1,0 +1,190 @@
+#include "architecture/rules.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace riedel::architecture {
+
+namespace {
+
+using Names = std::set<std::string>;
+
+/// Calls `visit(line, number)` for every line.
+template <class Visit>
+void for_each_line(const std::string& text, const Visit& visit) {
+  std::istringstream stream(text);
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) visit(line, ++number);
+}
+
+std::string place(const SourceFile& file, int line) { return file.path + ":" + std::to_string(line) + ": "; }
+
+/// An offence for every line in which the pattern is found.
+Offences lines_with(const SourceFile& file, const std::regex& pattern, const std::string& complaint) {
+  Offences found;
+  for_each_line(file.text, [&](const std::string& line, int number) {
+    std::smatch match;
+    if (std::regex_search(line, match, pattern)) found.push_back(place(file, number) + complaint + ": " + match.str());
+  });
+  return found;
+}
+
+/// Calls `visit(name, line number)` for `#include "name"` or, when opening is '<', for `#include <name>`.
+template <class Visit>
+void for_each_include(const std::string& text, char opening, const Visit& visit) {
+  const std::regex pattern(opening == '<' ? R"(^\s*#\s*include\s*<([^>]+)>)" : R"(^\s*#\s*include\s*"([^"]+)\")");
+  for_each_line(text, [&](const std::string& line, int number) {
+    std::smatch match;
+    if (std::regex_search(line, match, pattern)) visit(match.str(1), number);
+  });
+}
+
+/// The room that a path lies in: "core/base", "materials", "tests", ...
+std::string room_of(const std::string& path) {
+  const std::size_t slash = path.find('/');
+  if (slash == std::string::npos) return "";
+  if (path.compare(0, slash, "core") != 0) return path.substr(0, slash);
+  return path.substr(0, path.find('/', slash + 1));
+}
+
+/// What each room may see of the others; apps and tests, which see everything, are not listed.
+const std::map<std::string, Names>& rooms_in_sight() {
+  static const std::map<std::string, Names> sight = {
+      {"core/base", {}},
+      {"core/state", {"core/base"}},
+      {"core/interface", {"core/base", "core/state"}},
+      {"core/step", {"core/base", "core/state", "core/interface"}},
+      {"core/io", {"core/base", "core/state", "core/interface", "core/step"}},
+      {"shapefunctions", {"core/base", "core/state", "core/interface"}},
+      {"materials", {"core/base", "core/interface"}},
+      {"nonlocal", {"core/base", "core/interface"}},
+  };
+  return sight;
+}
+
+struct Library {
+  std::string name;
+  std::regex header;
+  std::regex home; ///< files that may include it
+};
+
+const std::vector<Library>& libraries() {
+  static const std::vector<Library> all = {
+      {"CGAL", std::regex("^CGAL/"), std::regex("nonlocal/cgal_kd_tree[.]cpp")},
+      {"VTK", std::regex("^vtk"), std::regex("core/io/(vtk_writer|picture|plot|canvas)[.]cpp")},
+      {"toml++", std::regex("^toml([+][+])?[/.]"), std::regex("core/io/case_file[.]cpp")},
+      {"Boost", std::regex("^boost/"), std::regex("apps/[^/]*[.]cpp|core/io/plugin_loader[.]cpp")},
+  };
+  return all;
+}
+
+/// The file's name without folders and ending.
+std::string stem(const std::string& path) {
+  const std::size_t start = path.rfind('/') + 1;
+  return path.substr(start, path.rfind('.') - start);
+}
+
+/// `snake_case` and `CamelCase` taken apart, so that a name is found as a word inside a longer one.
+std::string split_words(const std::string& text) {
+  const std::string apart = std::regex_replace(text, std::regex("([a-z0-9])([A-Z])"), "$1 $2");
+  return std::regex_replace(apart, std::regex("_"), " ");
+}
+
+} // namespace
+
+Offences includes_that_run_up(const SourceFile& file) {
+  const std::string room = room_of(file.path);
+  if (room == "apps" || room == "tests") return {};
+  const auto sight = rooms_in_sight().find(room);
+  if (sight == rooms_in_sight().end()) return {file.path + ": lies in no known room"};
+  Offences found;
+  for_each_include(file.text, '"', [&](const std::string& name, int line) {
+    const std::string target = room_of(name);
+    if (target != room && !sight->second.contains(target))
+      found.push_back(place(file, line) + room + " must not include \"" + name + "\"");
+  });
+  return found;
+}
+
+Offences circles_of_includes(const std::vector<SourceFile>& files) {
+  std::map<std::string, Names> includes;
+  for (const SourceFile& file : files)
+    for_each_include(file.text, '"', [&](const std::string& name, int) { includes[file.path].insert(name); });
+  // Files that include none of those left, or that none of those left includes, are taken away until nothing changes;
+  // what remains are circles and the ways from one to another.
+  const auto includes_nothing = [&](const auto& entry) {
+    return std::ranges::none_of(entry.second, [&](const std::string& name) { return includes.contains(name); });
+  };
+  const auto is_included_by_nothing = [&](const auto& entry) {
+    return std::ranges::none_of(includes, [&](const auto& other) { return other.second.contains(entry.first); });
+  };
+  while (std::erase_if(includes, includes_nothing) + std::erase_if(includes, is_included_by_nothing) > 0) {}
+  Offences found;
+  for (const auto& [path, names] : includes) found.push_back(path + ": is part of a circle of includes");
+  return found;
+}
+
+Offences libraries_out_of_place(const SourceFile& file) {
+  if (room_of(file.path) == "tests") return {};
+  Offences found;
+  for_each_include(file.text, '<', [&](const std::string& name, int line) {
+    for (const Library& library : libraries())
+      if (std::regex_search(name, library.header) && !std::regex_match(file.path, library.home))
+        found.push_back(place(file, line) + library.name + " does not belong here: <" + name + ">");
+  });
+  return found;
+}
+
+std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files) {
+  const Names helpers = {"register", "tensor_product", "point_driver"};
+  const Names everyday = {"linear", "elastic", "strain", "von"};
+  Names names;
+  for (const SourceFile& file : files) {
+    const std::string room = room_of(file.path), name = stem(file.path);
+    if ((room != "shapefunctions" && room != "materials") || helpers.contains(name)) continue;
+    bool distinct = false;
+    std::istringstream words(split_words(name));
+    for (std::string word; words >> word;) {
+      if (everyday.contains(word)) continue;
+      names.insert(word);
+      distinct = true;
+    }
+    if (!distinct) names.insert('"' + name + '"');
+  }
+  return {names.begin(), names.end()};
+}
+
+Offences names_in_core(const SourceFile& file, const std::vector<std::string>& names) {
+  if (!file.path.starts_with("core/")) return {};
+  Offences found;
+  for (const std::string& name : names) {
+    const bool quoted = name.starts_with('"');
+    const std::regex pattern(quoted ? name : "\\b" + name + "\\b", std::regex::icase);
+    const SourceFile searched = quoted ? file : SourceFile{file.path, split_words(file.text)};
+    const Offences more = lines_with(searched, pattern, "core names a scheme or law");
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  return found;
+}
+
+Offences files_too_long(const SourceFile& file) {
+  const auto lines = std::ranges::count(file.text, '\n');
+  const int allowed = file.path.ends_with(".hpp") ? 140 : 280;
+  if (lines <= allowed) return {};
+  return {file.path + ": " + std::to_string(lines) + " lines, of " + std::to_string(allowed) + " allowed"};
+}
+
+Offences unfinished_work(const SourceFile& file) {
+  static const std::regex pattern(R"(\b(T[O]DO|F[I]XME|X{3}|H[A]CK)\b)"); // spelled so that it does not find itself
+  return lines_with(file, pattern, "unfinished work");
+}
+
+Offences paths_of_a_machine(const SourceFile& file) {
+  static const std::regex pattern(R"((^|[^\w.>)\]}/])/(home|root|Users|work|tmp|mnt|opt)/)");
+  return lines_with(file, pattern, "a path of one machine");
+}
+
+} // namespace riedel::architecture

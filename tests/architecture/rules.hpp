@@ -1,0 +1,34 @@
+/// The rules of the house. Each looks at one file, or at all of them, and returns what offends: empty when all is well.
+#pragma once
+
+#include "architecture/source_tree.hpp"
+
+namespace riedel::architecture {
+
+using Offences = std::vector<std::string>;
+
+/// Includes go down the floors only: base <- state <- interface <- step <- io; shapefunctions see base, state and
+/// interface; materials and nonlocal see base and interface; apps and tests see everything.
+Offences includes_that_run_up(const SourceFile& file);
+
+/// Files that include each other in a circle.
+Offences circles_of_includes(const std::vector<SourceFile>& files);
+
+/// A library with heavy or infectious headers is included in the few files named for it, and in tests.
+Offences libraries_out_of_place(const SourceFile& file);
+
+/// What core must not say: the names of schemes and laws, taken from the files of shapefunctions/ and materials/.
+/// A name made of everyday words only, such as `linear`, is forbidden as a quoted text.
+std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files);
+Offences names_in_core(const SourceFile& file, const std::vector<std::string>& names);
+
+/// Headers of at most 140 lines, sources of at most 280.
+Offences files_too_long(const SourceFile& file);
+
+/// Notes of unfinished work.
+Offences unfinished_work(const SourceFile& file);
+
+/// Paths that exist on somebody's machine only.
+Offences paths_of_a_machine(const SourceFile& file);
+
+} // namespace riedel::architecture
