@@ -1,0 +1,110 @@
+#include "apps/biaxial_run.hpp"
+
+#include "core/io/snapshot.hpp"
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace riedel {
+
+namespace {
+const std::vector<std::string> columns{
+    "step",       "time_s",       "u_over_h",  "phi_mob_deg",  "force_N_per_m", "kinetic_J_per_m", "internal_J_per_m",
+    "external_J_per_m", "time_step_s", "substepped", "low_pressure", "separated", "out_of_bounds"};
+constexpr double settled = 0.005; ///< u/h0 before which the internal energy is too small to compare with
+}
+
+BiaxialRun::BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder)
+    : values_(values), simulation_(make_biaxial(values, catalogue)),
+      speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
+      history_(folder / "history.csv", columns) {
+  if (values.flag("output.vtk")) series_.emplace(folder);
+  add_row();
+  add_frame();
+}
+
+void BiaxialRun::advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row) {
+  const double final_strain = values_.number("loading.final_strain");
+  while (u_over_h() < final_strain && !stop()) {
+    simulation_.step();
+    const double dt = simulation_.time_step();
+    u_ += speed_(simulation_.state().time) * dt;
+    force_sum_ += platen_force(simulation_, values_) * dt;
+    force_time_ += dt;
+    if (u_over_h() >= next_row_) {
+      add_row();
+      at_row(rows_.back());
+    }
+    if (u_over_h() >= next_frame_) add_frame();
+  }
+}
+
+void BiaxialRun::finish() {
+  if (rows_.back().step != simulation_.state().step) add_row();
+  if (last_frame_step_ != simulation_.state().step) add_frame();
+}
+
+void BiaxialRun::add_row() {
+  const State<2>& state = simulation_.state();
+  const double at_rest = values_.number("loading.confining_pressure") * values_.number("specimen.width");
+  BiaxialRow row{.step = state.step, .time = state.time, .u_over_h = u_over_h()};
+  row.force = force_time_ > 0.0 ? force_sum_ / force_time_ : at_rest;
+  row.angle = mobilised_angle(row.force, values_);
+  row.energies = simulation_.energies();
+  row.time_step = simulation_.time_step();
+  row.report = state.report;
+  row.out_of_bounds = simulation_.out_of_bounds();
+  history_.add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
+                          row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
+                          static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
+                          static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds)});
+  rows_.push_back(row);
+  force_sum_ = force_time_ = 0.0;
+  next_row_ += values_.number("output.every_strain");
+}
+
+void BiaxialRun::add_frame() {
+  if (series_) series_->write(frame());
+  last_frame_step_ = simulation_.state().step;
+  next_frame_ += values_.number("output.frames_every_strain");
+}
+
+Frame BiaxialRun::frame() const { return snapshot(simulation_, u_over_h()); }
+
+double BiaxialRun::kinetic_over_internal() const {
+  double most = 0.0;
+  for (const BiaxialRow& row : rows_)
+    if (row.u_over_h >= settled) most = std::max(most, row.energies.kinetic / std::abs(row.energies.internal));
+  return most;
+}
+
+nlohmann::ordered_json BiaxialRun::summary() const {
+  const State<2>& state = simulation_.state();
+  const Points<2>& points = state.bodies.front().points;
+  const auto peak = std::ranges::max_element(rows_, {}, &BiaxialRow::angle);
+  double residual = 0.0, counted = 0.0;
+  for (const BiaxialRow& row : rows_)
+    if (row.u_over_h > rows_.back().u_over_h - 0.01) residual += row.angle, counted += 1.0;
+  const double mass = std::accumulate(points.mass[0], points.mass[0] + points.size(), 0.0);
+  double mass_on_grid = 0.0;
+  for (const NodeSums<2>& node : state.nodes.sums) mass_on_grid += node.mass;
+  return {{"scheme", values_.text("scheme")},
+          {"material", values_.text("material.model")},
+          {"points", points.size()},
+          {"nodes", state.nodes.size()},
+          {"steps", state.step},
+          {"time_s", state.time},
+          {"u_over_h", u_over_h()},
+          {"dt_s", state.step > 0 ? state.time / static_cast<double>(state.step) : simulation_.time_step()},
+          {"phi_peak_deg", peak->angle},
+          {"u_over_h_at_peak", peak->u_over_h},
+          {"phi_residual_deg", residual / counted},
+          {"kinetic_over_internal_max", kinetic_over_internal()},
+          {"mass_error", state.step > 0 ? mass_on_grid / mass - 1.0 : 0.0},
+          {"substepped", state.report.substepped},
+          {"low_pressure", state.report.low_pressure},
+          {"separated", state.report.separated},
+          {"out_of_bounds", simulation_.out_of_bounds()}};
+}
+
+} // namespace riedel

@@ -1,0 +1,59 @@
+/// The biaxial test while it runs: advances, records, and tells what it found.
+#pragma once
+
+#include "apps/specimen.hpp"
+#include "core/io/history.hpp"
+#include "core/io/vtk_writer.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+namespace riedel {
+
+/// One row of history.csv. Forces and angles are means since the row before.
+struct BiaxialRow {
+  std::int64_t step = 0;
+  double time = 0, u_over_h = 0, angle = 0, force = 0; ///< [s], [-], [deg], [N/m]
+  Energies energies;                                   ///< [J/m]
+  double time_step = 0;                                ///< [s]
+  MaterialReport report;
+  std::int64_t out_of_bounds = 0;
+};
+
+class BiaxialRun {
+public:
+  /// Makes the specimen and writes the first row and frame. Throws InputError or RunError.
+  BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder);
+
+  /// Goes on until the final strain, or until `stop()` says so between two steps. Throws RunError.
+  void advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row);
+  /// Writes a row and a frame of the present, if they are not written yet.
+  void finish();
+
+  [[nodiscard]] const Simulation<2>& simulation() const { return simulation_; }
+  [[nodiscard]] const std::vector<BiaxialRow>& rows() const { return rows_; }
+  [[nodiscard]] double u_over_h() const { return u_ / values_.number("specimen.height"); }
+  [[nodiscard]] Frame frame() const; ///< the present
+  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 % [-].
+  [[nodiscard]] double kinetic_over_internal() const;
+  /// The keys of summary.json that the run itself knows.
+  [[nodiscard]] nlohmann::ordered_json summary() const;
+
+private:
+  void add_row();
+  void add_frame();
+
+  const Values& values_;
+  Simulation<2> simulation_;
+  std::function<double(double)> speed_;
+  History history_;
+  std::optional<SeriesWriter> series_;
+  std::vector<BiaxialRow> rows_;
+  double u_ = 0.0;                   ///< displacement of the platen [m]
+  double force_sum_ = 0.0;           ///< ∫ force dt since the last row
+  double force_time_ = 0.0;
+  std::int64_t last_frame_step_ = -1;
+  double next_row_ = 0.0, next_frame_ = 0.0; ///< u/h0 from which they are due
+};
+
+} // namespace riedel
