@@ -11,7 +11,7 @@ namespace riedel {
 ///
 /// Neighbours are searched for within a skin around 3 l_c, and again only when a point has moved by half the skin. The
 /// weights of the pairs are kept until a point has moved by `weights_last` l_c: each distance is then wrong by at most
-/// twice that, and the average by at most 4 weights_last times the largest difference of the field within 3 l_c (see
+/// twice that, and the average by less than 5 weights_last times the largest difference of the field within 3 l_c (see
 /// docs/theory/nonlocal.md). Volumes and the field are always the present ones. Memory: 12 bytes per neighbour.
 template <int Dim>
 class GaussAverager final : public NonlocalAverager<Dim> {

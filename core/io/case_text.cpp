@@ -43,6 +43,7 @@ std::string comment(const Key& key) {
   std::string text = key.doc;
   if (!key.unit.empty() && key.unit != "-") text += " [" + key.unit + "]";
   for (std::size_t i = 0; i < key.choices.size(); ++i) text += (i == 0 ? ": " : " | ") + key.choices[i];
+  if (!key.choices.empty() && key.takes_number()) text += " | a number";
   std::ranges::replace(text, '\n', ' ');
   return text;
 }

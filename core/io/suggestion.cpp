@@ -26,15 +26,26 @@ int edit_distance(std::string_view a, std::string_view b) {
   return above.back();
 }
 
+namespace {
+
+constexpr int far = 1000;
+
+/// As the user may have meant it: with typing errors, cut short, or with another section in front.
+int distance_meant(std::string_view word, std::string_view known) {
+  const bool cut_short = word.size() >= 3 && known.starts_with(word);
+  const bool has_section = known.find('.') != std::string_view::npos;
+  return std::min({edit_distance(word, known), cut_short ? 1 : far,
+                   has_section ? edit_distance(last_part(word), last_part(known)) + 1 : far});
+}
+
+} // namespace
+
 std::string nearest(std::string_view word, std::span<const std::string> known) {
   const int most = std::max(1, static_cast<int>(last_part(word).size()) / 3);
   int best = most + 1;
   std::string answer;
   for (const std::string& candidate : known) {
-    const int whole = edit_distance(word, candidate);
-    const int tail =
-        candidate.find('.') == std::string::npos ? best : edit_distance(last_part(word), last_part(candidate)) + 1;
-    if (const int distance = std::min(whole, tail); distance < best) {
+    if (const int distance = distance_meant(word, candidate); distance < best) {
       best = distance;
       answer = candidate;
     }

@@ -14,7 +14,7 @@ int edit_distance(std::string_view a, std::string_view b);
 /// so that a key in the wrong section finds its place.
 std::string nearest(std::string_view word, std::span<const std::string> known);
 
-/// " (did you mean 'gimp'?)", or nothing when no known word is near.
+/// " (did you mean 'linear'?)", or nothing when no known word is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 } // namespace riedel

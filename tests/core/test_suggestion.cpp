@@ -12,10 +12,11 @@ TEST(Suggestion, CountsTheLettersToChange) {
   EXPECT_EQ(edit_distance("cpid", "cpdi"), 1); // neighbours swapped
 }
 
-TEST(Suggestion, IsSilentWhenNothingIsNear) {
+TEST(Suggestion, FindsTheNearestWordAndIsSilentWhenNoneIsNear) {
   const std::vector<std::string> known{"linear", "gimp", "specimen.width"};
   EXPECT_EQ(nearest("liner", known), "linear");
   EXPECT_EQ(nearest("width", known), "specimen.width");
+  EXPECT_EQ(nearest("lin", known), "linear");
   EXPECT_EQ(nearest("loading.width", known), "specimen.width");
   EXPECT_EQ(did_you_mean("spectral", known), "");
   EXPECT_EQ(nearest("gimp", {}), "");

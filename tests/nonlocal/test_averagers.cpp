@@ -201,11 +201,14 @@ TYPED_TEST(EveryAverager, StaysWithinItsBoundOfTheDenseSumWhilePointsCreep) {
   });
 }
 
-TYPED_TEST(EveryAverager, SearchesOnceWhileNothingMoves) {
+TYPED_TEST(EveryAverager, SearchesOnceWhileNothingMovesUnlessToldToForget) {
   this->for_every_averager([&](const auto& make) {
     const auto averager = make();
     for (int call = 0; call < 5; ++call) averaged(*averager, this->x_, this->volumes_, this->field_);
     EXPECT_EQ(averager->searches(), 1);
+    averager->forget_neighbours();
+    averaged(*averager, this->x_, this->volumes_, this->field_);
+    EXPECT_EQ(averager->searches(), 2);
   });
 }
 

@@ -1,0 +1,92 @@
+#include "apps/biaxial_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace riedel {
+
+namespace {
+
+std::string rounded(double x) {
+  const double unit = std::pow(10.0, 4 - static_cast<int>(std::ceil(std::log10(std::max(std::abs(x), 1e-300)))));
+  return exact_text(std::round(x * unit) / unit);
+}
+
+/// e_d < e0 ≤ e_i at the confining pressure, where e_i = e_i0 exp[−(3 p/h_s)^n] and e_d likewise.
+void check_void_ratio(const Values& v, const std::string& key, std::vector<Finding>& errors) {
+  for (const char* parameter : {"e_d0", "e_i0", "h_s", "n"})
+    if (!v.has(std::string("material.") + parameter)) return;
+  const double p = v.number("loading.confining_pressure"), h_s = v.number("material.h_s"), n = v.number("material.n");
+  const double shrink = std::exp(-std::pow(3.0 * p / h_s, n));
+  const double e_d = v.number("material.e_d0") * shrink, e_i = v.number("material.e_i0") * shrink;
+  const double e_0 = v.number(key);
+  if (e_0 > e_d && e_0 <= e_i) return;
+  errors.push_back({{key, "loading.confining_pressure", "material.e_d0", "material.e_i0", "material.h_s", "material.n"},
+                    exact_text(e_0) + " is out of range; the law allows (" + rounded(e_d) + ", " + rounded(e_i) +
+                        "] at the confining pressure"});
+}
+
+/// e_d0 < e_c0 < e_i0
+void check_limits_of_void_ratio(const Values& v, std::vector<Finding>& errors) {
+  for (const char* parameter : {"e_d0", "e_c0", "e_i0"})
+    if (!v.has(std::string("material.") + parameter)) return;
+  const double e_d0 = v.number("material.e_d0"), e_c0 = v.number("material.e_c0"), e_i0 = v.number("material.e_i0");
+  if (e_d0 < e_c0 && e_c0 < e_i0) return;
+  errors.push_back(
+      {{"material.e_c0", "material.e_d0", "material.e_i0"},
+       exact_text(e_c0) + " does not lie between e_d0 = " + exact_text(e_d0) + " and e_i0 = " + exact_text(e_i0)});
+}
+
+void check_imperfection(const Values& v, std::vector<Finding>& errors) {
+  constexpr double round_off = 1e-9;
+  const auto &size = v.numbers("imperfection.size"), &centre = v.numbers("imperfection.centre");
+  const std::vector<std::string> edges{"specimen.width", "specimen.height"};
+  for (std::size_t axis = 0; axis < edges.size(); ++axis) {
+    const double length = v.number(edges[axis]), middle = centre[axis] * length, half = 0.5 * size[axis];
+    if (middle - half >= -round_off * length && middle + half <= (1.0 + round_off) * length) continue;
+    errors.push_back({{"imperfection.centre", "imperfection.size", edges[axis]},
+                      "the patch reaches from " + rounded(middle - half) + " m to " + rounded(middle + half) +
+                          " m, out of the specimen's [0, " + exact_text(length) + "] m (" + edges[axis] + ")"});
+  }
+}
+
+void check_number_of_points(const Values& v, std::vector<Finding>& errors) {
+  const auto& cells = v.integers("grid.cells");
+  const double per_direction = static_cast<double>(v.integer("specimen.points_per_cell"));
+  const double points = static_cast<double>(cells[0]) * static_cast<double>(cells[1]) * per_direction * per_direction;
+  const double most = std::numeric_limits<Index>::max();
+  if (points > most)
+    errors.push_back({{"grid.cells", "specimen.points_per_cell"},
+                      exact_text(points) + " points are too many; allowed: at most " + exact_text(most)});
+}
+
+/// A sum over points h apart acts like the integral only while h is not much above l_c.
+void check_spacing(const Values& v, std::vector<Finding>& warnings) {
+  constexpr double greatest_ratio = 1.12; // 1.1; 24 × 84 cells of the paper (1.111 for l_c = 1.5 mm) are fine enough
+  const double l_c = v.number("nonlocal.length");
+  const auto& cells = v.integers("grid.cells");
+  const double per_direction = static_cast<double>(v.integer("specimen.points_per_cell"));
+  const double h = std::max(v.number("specimen.width") / static_cast<double>(cells[0]),
+                            v.number("specimen.height") / static_cast<double>(cells[1])) /
+                   per_direction;
+  if (l_c == 0.0 || h <= greatest_ratio * l_c) return;
+  warnings.push_back({{"nonlocal.length", "grid.cells", "specimen.points_per_cell"},
+                      "the points are " + rounded(h) + " m apart, more than 1.1 l_c = " + rounded(1.1 * l_c) +
+                          " m: the average acts like one of a shorter length; use more cells or a greater length"});
+}
+
+} // namespace
+
+BiaxialFindings check_biaxial(const Values& values) {
+  BiaxialFindings found;
+  check_limits_of_void_ratio(values, found.errors);
+  check_void_ratio(values, "specimen.void_ratio", found.errors);
+  check_void_ratio(values, "imperfection.void_ratio", found.errors);
+  check_imperfection(values, found.errors);
+  check_number_of_points(values, found.errors);
+  check_spacing(values, found.warnings);
+  return found;
+}
+
+} // namespace riedel

@@ -1,0 +1,123 @@
+#include "apps/biaxial_keys.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+
+namespace riedel {
+
+namespace {
+
+const Bounds any{};
+const Bounds up_to_one{.lower = 0.0, .upper = 1.0, .lower_included = false};
+using Reals = std::vector<double>;
+using Integers = std::vector<std::int64_t>;
+
+Keys problem_keys(const Catalogue& catalogue) {
+  return {
+      {"scheme", "gimp", "", any, "interpolation between points and grid", catalogue.in_2d.schemes.names()},
+      {"specimen.width", 0.040, "m", more_than(0), "width b0"},
+      {"specimen.height", 0.140, "m", more_than(0), "height h0"},
+      {"specimen.void_ratio", 0.55, "-", more_than(0), "initial void ratio e0"},
+      {"specimen.points_per_cell", std::int64_t{1}, "-", between(1, 10), "material points in a cell, per direction"},
+      {"imperfection.void_ratio", 0.90, "-", more_than(0), "initial void ratio of the loose patch"},
+      {"imperfection.size", Reals{5e-3, 5e-3}, "m", at_least(0), "width and height of the loose patch; 0: no patch"},
+      {"imperfection.centre", Reals{0.0625, 0.5}, "-", between(0, 1),
+       "centre of the patch as fractions of width and height"},
+      {"grid.cells", Integers{24, 84}, "-", between(1, 100000), "cells over the width and the height of the specimen"},
+      {"loading.speed", 0.1, "m/s", more_than(0), "speed v of the upper platen"},
+      {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"},
+      {"loading.final_strain", 0.06, "-", within(0, 1), "vertical strain u/h0 at which the test ends"},
+      {"loading.confining_pressure", 50e3, "Pa", more_than(0), "lateral pressure p"},
+      {"loading.gravity", 9.81, "m/s2", at_least(0), "gravity g"},
+      {"loading.platen",
+       "moving_grid",
+       "",
+       any,
+       "upper platen: the grid follows it, or rigid points above the specimen press on a grid at rest",
+       {"moving_grid", "rigid_points"}},
+      {"loading.lateral",
+       "virtual_stress",
+       "",
+       any,
+       "lateral pressure: stress in excess of p (exact on any deformed edge), or forces on a layer of points",
+       {"virtual_stress", "points"}},
+  };
+}
+
+Keys method_keys(const Catalogue& catalogue) {
+  return {
+      {"nonlocal.length", 1.5e-3, "m", at_least(0), "characteristic length l_c; 0: local"},
+      {"nonlocal.variable", "rate_norm", "", any, "scalar of the law that is averaged"},
+      {"nonlocal.search", "cgal_kd_tree", "", any, "search for neighbours", catalogue.in_2d.searches.names()},
+      {"nonlocal.averager", "gauss", "", any, "way of averaging", catalogue.in_2d.averagers.names()},
+      {"time.order",
+       "musl",
+       "",
+       any,
+       "stress updated last from re-mapped velocities, last, or first",
+       {"musl", "usl", "usf"}},
+      {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
+      {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
+      {"time.flip", 0.99, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
+      {"output.every_strain", 0.0005, "-", within(0, 1), "vertical strain between rows of history.csv"},
+      {"output.frames_every_strain", 0.005, "-", within(0, 1), "vertical strain between frames for ParaView"},
+      {"output.vtk", true, "", any, "write points.pvd and domains.pvd"},
+      {"output.plots", true, "", any, "write pictures (PNG)"},
+      {"output.band_void_ratio", 0.70, "-", more_than(0), "a point belongs to the shear band from this void ratio on"},
+  };
+}
+
+void append(Keys& keys, const Keys& more) { keys.insert(keys.end(), more.begin(), more.end()); }
+
+void append_parameters(Keys& keys, const Description& law) {
+  for (Key key : law.parameters) {
+    key.name = "material." + key.name;
+    if (std::ranges::find(keys, key.name, &Key::name) == keys.end()) keys.push_back(std::move(key));
+  }
+}
+
+/// A law knows which of its scalars can be averaged.
+void restrict_variable(Keys& keys, const Materials::Entry& law) {
+  const auto variables = law.make(Values(law.description.parameters))->nonlocal_variables();
+  if (variables.empty()) return;
+  Key& key = *std::ranges::find(keys, "nonlocal.variable", &Key::name);
+  key.choices = variables;
+  if (std::ranges::find(variables, std::get<std::string>(key.default_value)) == variables.end())
+    key.default_value = variables.front();
+}
+
+bool concerns(const Finding& finding, const std::vector<Finding>& errors) {
+  return std::ranges::any_of(errors, [&](const Finding& error) {
+    return std::ranges::find(finding.keys, error.keys.front()) != finding.keys.end();
+  });
+}
+
+} // namespace
+
+Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
+  Keys keys = problem_keys(catalogue);
+  keys.push_back({"material.model", std::string(paper_model), "", any, "law", catalogue.materials.names()});
+  const bool known = catalogue.materials.known(model);
+  for (const auto& law : catalogue.materials.entries())
+    if (!known || law.description.name == model) append_parameters(keys, law.description);
+  append(keys, method_keys(catalogue));
+  if (known) restrict_variable(keys, catalogue.materials.find(model));
+  return keys;
+}
+
+BiaxialCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
+  const std::string model = given.peek_text("material.model").value_or(std::string(paper_model));
+  BiaxialCase result{.keys = biaxial_keys(catalogue, model), .values = {}, .warnings = {}};
+  CheckedValues checked = given.check(result.keys);
+  const BiaxialFindings found = check_biaxial(checked.values);
+  std::vector<Finding> errors = checked.errors;
+  for (const Finding& error : found.errors) // a wrong key has its default here, about which nothing should be said
+    if (!concerns(error, checked.errors)) errors.push_back(error);
+  if (!errors.empty()) throw InputError(given.lines(errors));
+  result.values = std::move(checked.values);
+  for (const Finding& warning : found.warnings) result.warnings.push_back(given.lines({warning}));
+  return result;
+}
+
+} // namespace riedel

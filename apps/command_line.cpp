@@ -1,0 +1,138 @@
+#include "apps/command_line.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/suggestion.hpp"
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <charconv>
+#include <thread>
+
+namespace riedel {
+
+namespace {
+
+namespace po = boost::program_options;
+using Texts = std::vector<std::string>;
+
+po::options_description described(const Options& options) {
+  po::options_description description;
+  for (const Option& option : options) {
+    if (option.value.empty())
+      description.add_options()(option.name.c_str(), "");
+    else
+      description.add_options()(option.name.c_str(), po::value<Texts>()->composing(), "");
+  }
+  return description;
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 2, width), ' ');
+  return text;
+}
+
+std::string line(const Option& option) {
+  return "  " + padded("--" + option.name + (option.value.empty() ? "" : " " + option.value), 20) + option.doc + "\n";
+}
+
+std::string hint(const Command& command) { return "; see 'riedel " + command.name + " --help'"; }
+
+std::string unknown_option_text(const Command& command, std::string given) {
+  given.erase(0, given.find_first_not_of('-'));
+  Texts names{"help"};
+  for (const Option& option : command.options) names.push_back(option.name);
+  return "unknown option --" + given + did_you_mean(given, names) + hint(command);
+}
+
+} // namespace
+
+std::optional<std::string> Arguments::text(std::string_view option) const {
+  const auto found = options.find(option);
+  return found == options.end() || found->second.empty() ? std::nullopt : std::optional(found->second.back());
+}
+
+std::filesystem::path Arguments::out(const std::filesystem::path& otherwise) const {
+  const std::optional<std::string> given = text("out");
+  return given ? std::filesystem::path(*given) : otherwise;
+}
+
+int Arguments::threads() const {
+  constexpr int most = 1024;
+  const std::optional<std::string> given = text("threads");
+  if (!given) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int number = 0;
+  const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
+  if (error != std::errc{} || end != given->data() + given->size() || number < 1 || number > most)
+    throw InputError("--threads " + *given + ": allowed: an integer in [1, " + std::to_string(most) + "]");
+  return number;
+}
+
+CaseFile Arguments::case_file(std::size_t position) const {
+  CaseFile file = words.size() > position ? CaseFile::read(words[position]) : CaseFile::empty();
+  if (const auto found = options.find("set"); found != options.end())
+    for (const std::string& setting : found->second) file.override_with(setting);
+  return file;
+}
+
+Options case_options() {
+  return {{"set", "KEY=VALUE", "put a key of the case, such as --set grid.cells=[16,56]; may be repeated"}};
+}
+
+Options run_options() {
+  Options options = case_options();
+  options.push_back({"out", "DIR", "folder for the results"});
+  options.push_back({"threads", "N", "threads; the results do not depend on it"});
+  options.push_back({"force", "", "write over the results that the folder holds"});
+  return options;
+}
+
+Arguments parse(const Command& command, const std::vector<std::string>& words) {
+  Options options = command.options;
+  options.push_back({"help", "", ""});
+  const po::options_description known = described(options);
+  Arguments arguments;
+  try {
+    namespace style = po::command_line_style;
+    const auto parsed =
+        po::command_line_parser(words).options(known).style(style::unix_style & ~style::allow_guessing).run();
+    arguments.words = po::collect_unrecognized(parsed.options, po::include_positional);
+    for (const auto& option : parsed.options) {
+      if (option.position_key >= 0) continue;
+      Texts& values = arguments.options[option.string_key];
+      values.insert(values.end(), option.value.begin(), option.value.end());
+    }
+  } catch (const po::unknown_option& error) {
+    throw InputError(unknown_option_text(command, error.get_option_name()));
+  } catch (const po::error& error) { throw InputError(error.what() + hint(command)); }
+  if (!arguments.has("help") && arguments.words.size() > command.most_words)
+    throw InputError("'" + arguments.words[command.most_words] + "' is one word too many" + hint(command));
+  return arguments;
+}
+
+const Command& find_command(std::span<const Command> commands, std::string_view name) {
+  Texts names;
+  for (const Command& command : commands) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  std::string known;
+  for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+  throw InputError("unknown command '" + std::string(name) + "'" + did_you_mean(name, names) + "; known: " + known);
+}
+
+std::string help(const Command& command) {
+  std::string text = "riedel " + command.name + " " + command.usage + "\n\n" + command.summary + "\n\nOptions\n";
+  for (const Option& option : command.options) text += line(option);
+  text += line({"help", "", "print this"});
+  return command.more_help == nullptr ? text : text + "\n" + command.more_help();
+}
+
+std::string help(std::span<const Command> commands) {
+  std::string text = "riedel: the material point method for shear localisation in sand\n\nCommands\n";
+  for (const Command& command : commands) text += "  " + padded(command.name, 12) + command.summary + "\n";
+  return text + "\n'riedel COMMAND --help' tells more of each; 'riedel --version' prints the version.\n";
+}
+
+std::string version() { return "riedel " RIEDEL_VERSION; }
+
+} // namespace riedel

@@ -1,0 +1,56 @@
+/// Sub-commands and their options.
+#pragma once
+
+#include "core/io/case_file.hpp"
+
+#include <map>
+#include <optional>
+#include <span>
+
+namespace riedel {
+
+/// What the user typed behind the sub-command's name.
+struct Arguments {
+  std::vector<std::string> words; ///< those that belong to no option: the case file for most
+  std::map<std::string, std::vector<std::string>, std::less<>> options; ///< given ones; a switch has no values
+
+  [[nodiscard]] bool has(std::string_view option) const { return options.find(option) != options.end(); }
+  [[nodiscard]] std::optional<std::string> text(std::string_view option) const;          ///< the last one given
+  [[nodiscard]] std::filesystem::path out(const std::filesystem::path& otherwise) const; ///< --out
+  [[nodiscard]] bool force() const { return has("force"); }
+  /// --threads; as many as the machine has when it is not given. @throws InputError when it is no positive number
+  [[nodiscard]] int threads() const;
+  /// The case file (the word at `position`, else the defaults) with every --set on it.
+  [[nodiscard]] CaseFile case_file(std::size_t position = 0) const;
+};
+
+struct Option {
+  std::string name;
+  std::string value; ///< what stands for its value in the help; empty: a switch
+  std::string doc;
+};
+using Options = std::vector<Option>;
+Options case_options(); ///< --set
+Options run_options();  ///< --set, --out, --threads, --force
+
+struct Command {
+  std::string name;
+  std::string usage; ///< what follows the name
+  std::string summary;
+  std::size_t most_words; ///< that belong to no option
+  Options options;
+  int (*run)(const Arguments&);         ///< returns the exit code
+  std::string (*more_help)() = nullptr; ///< what `--help` adds at its end
+};
+
+/// @throws InputError with a hint when the words do not fit the command
+Arguments parse(const Command& command, const std::vector<std::string>& words);
+
+/// @throws InputError that lists the known ones
+const Command& find_command(std::span<const Command> commands, std::string_view name);
+
+std::string help(const Command& command);
+std::string help(std::span<const Command> commands);
+std::string version();
+
+} // namespace riedel

@@ -1,0 +1,14 @@
+/// The sub-commands of the program: a line each in one table.
+#pragma once
+
+#include "apps/command_line.hpp"
+
+namespace riedel {
+
+int biaxial(const Arguments& arguments);
+int list(const Arguments& arguments);
+int check(const Arguments& arguments);
+
+const std::vector<Command>& commands();
+
+} // namespace riedel

@@ -1,0 +1,26 @@
+/// Ctrl-C and `kill` as a question that a run asks between two steps.
+#pragma once
+
+#include <array>
+#include <csignal>
+
+namespace riedel {
+
+/// Catches SIGINT and SIGTERM while it lives. A second signal of the same kind ends the program at once.
+class Interrupt {
+public:
+  Interrupt();
+  ~Interrupt(); ///< what was in force before is again
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+
+  [[nodiscard]] int signal() const; ///< the signal that came, 0 while none has
+  [[nodiscard]] explicit operator bool() const { return signal() != 0; }
+  [[nodiscard]] int exit_code() const { return 128 + signal(); } ///< 130 or 143
+
+private:
+  static constexpr std::array caught{SIGINT, SIGTERM};
+  std::array<struct sigaction, caught.size()> before_{};
+};
+
+} // namespace riedel

@@ -1,0 +1,20 @@
+/// The table of keys in the forms that people and editors read.
+#pragma once
+
+#include "core/interface/catalogue.hpp"
+
+namespace riedel {
+
+/// A line per key for a terminal: name, default with unit, range or choices, and what it is.
+std::string keys_help(const Keys& keys);
+
+/// Lines for the parameters of one scheme or law.
+std::string parameters_help(const Keys& parameters);
+
+/// The reference of all keys of a biaxial case, with the parameters of every law, as Markdown.
+std::string biaxial_reference(const Catalogue& catalogue);
+
+/// JSON Schema (draft 7) of a biaxial case. The parameters allowed in [material] follow from its model.
+std::string biaxial_schema(const Catalogue& catalogue);
+
+} // namespace riedel

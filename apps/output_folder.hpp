@@ -1,0 +1,13 @@
+/// The folder that a run writes to.
+#pragma once
+
+#include <filesystem>
+
+namespace riedel {
+
+/// Makes the folder ready: it exists, can be written to, and holds no results of an earlier run unless `force`. With
+/// `force`, files that a run writes only later are removed, so that nobody takes the old ones for the new.
+/// @throws InputError with the reason
+void prepare_output_folder(const std::filesystem::path& folder, bool force);
+
+} // namespace riedel

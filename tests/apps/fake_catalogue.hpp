@@ -1,0 +1,45 @@
+/// A catalogue of names for tests of the input: its laws have parameters but no equations.
+#pragma once
+
+#include "core/interface/catalogue.hpp"
+
+namespace riedel {
+
+class FakeLaw final : public Material {
+public:
+  explicit FakeLaw(std::vector<std::string> averaged) : averaged_(std::move(averaged)) {}
+
+  [[nodiscard]] std::span<const StateVariable> states() const override { return {}; }
+  [[nodiscard]] std::vector<std::string> nonlocal_variables() const override { return averaged_; }
+  [[nodiscard]] double density(std::span<const double>) const override { return 1.0; }
+  void integrate(const MaterialBatch&, MaterialReport&) const override {}
+  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {}; }
+
+private:
+  std::vector<std::string> averaged_;
+};
+
+inline Catalogue fake_catalogue() {
+  Catalogue catalogue;
+  for (const char* name : {"linear", "gimp", "cpgimp", "cpdi"})
+    catalogue.in_2d.schemes.add({name, "a scheme", "a paper"}, [] { return nullptr; });
+  for (const char* name : {"cgal_kd_tree", "cell_list"})
+    catalogue.in_2d.searches.add({name, "a search", "a paper"}, [] { return nullptr; });
+  catalogue.in_2d.averagers.add({"gauss", "an averager", "a paper"}, [](double, auto) { return nullptr; });
+
+  const Keys sand{{"phi_c", 30.0, "deg", within(0, 90), "critical angle"},
+                  {"h_s", 190e6, "Pa", more_than(0), "hardness"},
+                  {"n", 0.5, "-", within(0, 1), "exponent"},
+                  {"e_i0", 1.3, "-", more_than(0), "loosest"},
+                  {"e_d0", 0.51, "-", more_than(0), "densest"},
+                  {"e_c0", 0.82, "-", more_than(0), "critical"}};
+  const auto law = [](std::vector<std::string> averaged) {
+    return [averaged](const Values&) { return std::make_unique<FakeLaw>(averaged); };
+  };
+  catalogue.materials.add({"gudehus_bauer", "a law for sand", "a paper", sand}, law({"rate_norm", "void_ratio"}));
+  catalogue.materials.add(
+      {"linear_elastic", "Hooke's law", "a paper", {{"youngs_modulus", 1e7, "Pa", more_than(0), "E"}}}, law({}));
+  return catalogue;
+}
+
+} // namespace riedel

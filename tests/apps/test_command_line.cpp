@@ -1,0 +1,76 @@
+#include "apps/command_line.hpp"
+#include "apps/commands.hpp"
+#include "core/base/error.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace riedel;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+namespace {
+
+Command command() {
+  return {"biaxial", "[CASE.toml]", "A test.", 1, run_options(), [](const Arguments&) { return 0; }};
+}
+Arguments parsed(const std::vector<std::string>& words) { return parse(command(), words); }
+auto error_with(const char* text) { return ThrowsMessage<InputError>(HasSubstr(text)); }
+
+} // namespace
+
+TEST(CommandLine, TakesWordsAndOptionsInAnyOrder) {
+  const Arguments a =
+      parsed({"--set", "scheme=cpdi", "case.toml", "--out=there", "--set", "nonlocal.length=-1", "--force"});
+  EXPECT_THAT(a.words, ElementsAre("case.toml"));
+  EXPECT_THAT(a.options.at("set"), ElementsAre("scheme=cpdi", "nonlocal.length=-1"));
+  EXPECT_EQ(a.out("here"), "there");
+  EXPECT_TRUE(a.force());
+  EXPECT_EQ(parsed({}).out("here"), "here");
+  EXPECT_FALSE(parsed({}).force());
+}
+
+TEST(CommandLine, PutsTheSettingsOnTheCase) {
+  EXPECT_EQ(parsed({"--set", "scheme=linear", "--set", "scheme=cpdi"}).case_file().peek_text("scheme"), "cpdi");
+  EXPECT_THROW((void)parsed({"/no/such/case.toml"}).case_file(), InputError);
+}
+
+TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
+  EXPECT_THAT(
+      [] {
+        (void)parsed({"--ste", "a=1"});
+      },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("--ste (did you mean 'set'?)"), HasSubstr("riedel biaxial --help"))));
+  EXPECT_THAT([] { (void)parsed({"--forc"}); }, error_with("unknown option --forc")); // no abbreviations
+  EXPECT_THAT([] { (void)parsed({"a.toml", "b.toml"}); }, error_with("'b.toml' is one word too many"));
+  EXPECT_THAT([] { (void)parsed({"--out"}); }, error_with("riedel biaxial --help"));
+  EXPECT_THAT([] { (void)parsed({"--force=1"}); }, error_with("riedel biaxial --help"));
+}
+
+TEST(CommandLine, TakesAPositiveNumberOfThreads) {
+  EXPECT_EQ(parsed({"--threads", "3"}).threads(), 3);
+  EXPECT_GE(parsed({}).threads(), 1);
+  for (const char* wrong : {"0", "-1", "two", "2.5", "", "99999999999"})
+    EXPECT_THAT(
+        [&] {
+          (void)parsed({"--threads", wrong}).threads();
+        },
+        error_with("allowed: an integer in [1, 1024]"))
+        << wrong;
+}
+
+TEST(CommandLine, FindsCommandsAndSuggestsTheOneThatWasMeant) {
+  EXPECT_EQ(find_command(commands(), "check").name, "check");
+  EXPECT_THAT([] { (void)find_command(commands(), "biaxal"); }, error_with("did you mean 'biaxial'?"));
+  EXPECT_THAT([] { (void)find_command(commands(), "dance"); }, error_with("known: biaxial, check, list"));
+}
+
+TEST(CommandLine, TheHelpNamesEveryCommandAndEveryOption) {
+  for (const Command& each : commands()) {
+    EXPECT_THAT(help(commands()), AllOf(HasSubstr(each.name), HasSubstr(each.summary)));
+    EXPECT_THAT(help(each), AllOf(HasSubstr("riedel " + each.name), HasSubstr(each.summary), HasSubstr("--help")));
+    for (const Option& option : each.options)
+      EXPECT_THAT(help(each), AllOf(HasSubstr("--" + option.name), HasSubstr(option.doc)));
+  }
+}

@@ -1,0 +1,62 @@
+#include "apps/biaxial_keys.hpp"
+#include "apps/fake_catalogue.hpp"
+#include "apps/key_tables.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+using namespace riedel;
+using testing::HasSubstr;
+
+TEST(KeyTables, TheHelpMentionsEveryKeyWithDefaultUnitAndRange) {
+  const Keys keys = biaxial_keys(fake_catalogue(), paper_model);
+  const std::string text = keys_help(keys);
+  for (const Key& key : keys) {
+    EXPECT_THAT(text, HasSubstr("  " + key.name + " "));
+    EXPECT_THAT(text, HasSubstr(key.doc));
+    for (const std::string& choice : key.choices) EXPECT_THAT(text, HasSubstr(choice));
+  }
+  EXPECT_THAT(text, HasSubstr("50000.0 Pa"));
+  EXPECT_THAT(text, HasSubstr(": in (0, 90)"));
+  EXPECT_THAT(text, HasSubstr(": auto | > 0"));
+}
+
+TEST(KeyTables, TheReferenceHasARowForEveryKeyAndEveryLaw) {
+  const Catalogue catalogue = fake_catalogue();
+  const std::string text = biaxial_reference(catalogue);
+  for (const Key& key : biaxial_keys(catalogue, "")) { // no such law: the parameters of all
+    const std::size_t dot = key.name.find('.');
+    const std::string section =
+        dot == std::string::npos ? "## Without a section" : "## `[" + key.name.substr(0, dot) + "]`";
+    EXPECT_THAT(text, HasSubstr("| `" + key.name.substr(dot + 1) + "` |"));
+    EXPECT_THAT(text, HasSubstr(section));
+  }
+  EXPECT_THAT(text, HasSubstr("### `model = \"linear_elastic\"`"));
+  EXPECT_THAT(text, HasSubstr("moving_grid \\| rigid_points")); // a bare | would end the cell
+}
+
+TEST(KeyTables, TheSchemaDescribesEveryKey) {
+  const Catalogue catalogue = fake_catalogue();
+  const auto schema = nlohmann::json::parse(biaxial_schema(catalogue));
+  for (const Key& key : biaxial_keys(catalogue, paper_model)) {
+    if (key.name.starts_with("material.")) continue;
+    const std::size_t dot = key.name.find('.');
+    const auto& properties = schema["properties"];
+    const auto& found = dot == std::string::npos
+                            ? properties.at(key.name)
+                            : properties.at(key.name.substr(0, dot)).at("properties").at(key.name.substr(dot + 1));
+    EXPECT_TRUE(found.contains("default")) << key.name;
+  }
+  EXPECT_EQ(schema["properties"]["specimen"]["additionalProperties"], false);
+  EXPECT_EQ(schema["properties"]["grid"]["properties"]["cells"]["items"]["minimum"], 1);
+}
+
+TEST(KeyTables, TheSchemaKnowsTheParametersOfEachLaw) {
+  const auto schema = nlohmann::json::parse(biaxial_schema(fake_catalogue()));
+  const auto& laws = schema["properties"]["material"]["oneOf"];
+  ASSERT_EQ(laws.size(), 2);
+  EXPECT_TRUE(laws[0]["properties"].contains("phi_c"));
+  EXPECT_FALSE(laws[0].contains("required")); // the default law need not be named
+  EXPECT_FALSE(laws[1]["properties"].contains("phi_c"));
+  EXPECT_EQ(laws[1]["required"][0], "model");
+}
