@@ -14,9 +14,9 @@ namespace riedel {
 struct BiaxialRow {
   std::int64_t step = 0;
   double time = 0, u_over_h = 0, angle = 0, force = 0; ///< [s], [-], [deg], [N/m]
-  Energies energies;                                   ///< [J/m]
+  Energies energies{};                                 ///< [J/m]
   double time_step = 0;                                ///< [s]
-  MaterialReport report;
+  MaterialReport report{};
   std::int64_t out_of_bounds = 0;
 };
 

@@ -1,7 +1,5 @@
-/// The bodies of RateLaw's member functions; included by rate_law.hpp alone.
+/// The bodies of RateLaw's member functions; included by rate_law.hpp alone, after the class.
 #pragma once
-
-#include "core/interface/rate_law.hpp"
 
 namespace riedel {
 

@@ -98,7 +98,7 @@ TEST_P(EveryLaw, TellsAWaveSpeedThatNoIncrementExceeds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryLaw, testing::ValuesIn(catalogue().materials.names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& tested) { return tested.param; });
 
 } // namespace
 } // namespace riedel::test

@@ -189,7 +189,7 @@ TEST_P(EveryScheme, GivesAPointTheSameWeightsInAnyLane) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryScheme, testing::ValuesIn(scheme_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& tested) { return tested.param; });
 
 } // namespace
 } // namespace riedel::test
