@@ -53,14 +53,29 @@ std::vector<char> transposed(const std::vector<char>& cells, int width, int heig
   return result;
 }
 
+/// Copies the common part of two grids of cells, the second shifted by so many columns and rows.
+std::vector<char> shifted(const std::vector<char>& from, int width, int to_width, int to_height, int shift) {
+  const int height = static_cast<int>(from.size()) / width;
+  std::vector<char> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height), 0);
+  for (int y = std::max(0, -shift); y < height && y + shift < to_height; ++y)
+    for (int x = std::max(0, -shift); x < width && x + shift < to_width; ++x)
+      to[static_cast<std::size_t>(y + shift) * static_cast<std::size_t>(to_width) +
+         static_cast<std::size_t>(x + shift)] =
+          from[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  return to;
+}
+
 /// Closes gaps and notches into which no square of 2 reach + 1 cells fits.
 void close_gaps(std::vector<char>& inside, int width, int height, int reach) {
+  const int wide = width + 2 * reach, high = height + 2 * reach; // room to grow at the borders
+  inside = shifted(inside, width, wide, high, reach);
   for (bool grow : {true, false}) {
-    spread_along_rows(inside, width, height, reach, grow);
-    inside = transposed(inside, width, height);
-    spread_along_rows(inside, height, width, reach, grow);
-    inside = transposed(inside, height, width);
+    spread_along_rows(inside, wide, high, reach, grow);
+    inside = transposed(inside, wide, high);
+    spread_along_rows(inside, high, wide, reach, grow);
+    inside = transposed(inside, high, wide);
   }
+  inside = shifted(inside, wide, width, height, -reach);
 }
 
 } // namespace

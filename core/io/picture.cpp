@@ -13,7 +13,7 @@ namespace {
 
 constexpr Color grey{0.45, 0.45, 0.45}, unknown{0.75, 0.75, 0.75};
 constexpr double millimetre = 1e-3; ///< [m]
-constexpr double bar_ticks = 6;
+constexpr int bar_ticks = 6;
 
 void check(const std::vector<Panel>& panels, const PictureOptions& options) {
   if (panels.empty()) throw std::logic_error("a picture without panels");
@@ -88,8 +88,8 @@ Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) 
   const double heading = options.title.empty() ? 0 : text_width(options.title, 1.25 * l.font);
   const double y_labels = widest(tick_labels(round_ticks(millimetres(l.view.bottom, l.view.top), 8)), l.font);
   const double left = 3.2 * l.font + y_labels, bottom = 4 * l.font, gap = 1.5 * l.font;
-  const double top = 0.8 * l.font + (heading > 0 ? 2.4 : 0) * l.font + (title > 0 ? 1.7 : 0) * l.font +
-                     (subtitle > 0 ? 1.4 : 0) * l.font;
+  const double rows = 0.8 + (heading > 0 ? 2.4 : 0) + (title > 0 ? 1.7 : 0) + (subtitle > 0 ? 1.4 : 0);
+  const double top = std::round(rows * l.font);
   const double right = 6 * l.font + widest(l.bar_labels, l.font);
 
   l.has_subtitles = subtitle > 0;
@@ -98,14 +98,14 @@ Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) 
   const double across = l.view.right - l.view.left, up = l.view.top - l.view.bottom;
   l.scale = std::min((options.width - left - right - (count - 1) * gap) / (count * across),
                      (options.height - top - bottom) / up);
-  const double panel_width = std::round(across * l.scale), panel_height = std::round(up * l.scale);
+  const double panel_width = std::floor(across * l.scale + 1e-6), panel_height = std::floor(up * l.scale + 1e-6);
   const double column = std::max({panel_width, title + gap, subtitle + gap});
   const double content = left + (count - 1) * (column + gap) + column / 2 + panel_width / 2 + right;
   l.width = std::max({content, heading + 2 * gap});
   l.height = top + panel_height + bottom;
   double x = std::round((l.width - content) / 2 + left + (column - panel_width) / 2);
   for (std::size_t i = 0; i < panels.size(); ++i, x += std::round(column + gap))
-    l.areas.push_back({x, std::round(top), x + panel_width, std::round(top) + panel_height});
+    l.areas.push_back({x, top, x + panel_width, top + panel_height});
   const Box& last = l.areas.back();
   const double shorter = 0.1 * panel_height;
   l.bar = {last.right + 1.4 * l.font, last.top + shorter, last.right + 2.4 * l.font, last.bottom - shorter};
