@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace riedel {
 namespace {
@@ -47,9 +48,9 @@ void spread_along_rows(std::vector<char>& inside, int width, int height, int rea
 
 std::vector<char> transposed(const std::vector<char>& cells, int width, int height) {
   std::vector<char> result(cells.size());
-  for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
-    for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x)
-      result[x * static_cast<std::size_t>(height) + y] = cells[y * static_cast<std::size_t>(width) + x];
+  for (std::ptrdiff_t y = 0; y < height; ++y)
+    for (std::ptrdiff_t x = 0; x < width; ++x)
+      result[static_cast<std::size_t>(x * height + y)] = cells[static_cast<std::size_t>(y * width + x)];
   return result;
 }
 
@@ -57,11 +58,9 @@ std::vector<char> transposed(const std::vector<char>& cells, int width, int heig
 std::vector<char> shifted(const std::vector<char>& from, int width, int to_width, int to_height, int shift) {
   const int height = static_cast<int>(from.size()) / width;
   std::vector<char> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height), 0);
-  for (int y = std::max(0, -shift); y < height && y + shift < to_height; ++y)
+  for (std::ptrdiff_t y = std::max(0, -shift); y < height && y + shift < to_height; ++y)
     for (int x = std::max(0, -shift); x < width && x + shift < to_width; ++x)
-      to[static_cast<std::size_t>(y + shift) * static_cast<std::size_t>(to_width) +
-         static_cast<std::size_t>(x + shift)] =
-          from[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+      to[static_cast<std::size_t>((y + shift) * to_width + x + shift)] = from[static_cast<std::size_t>(y * width + x)];
   return to;
 }
 
@@ -78,44 +77,58 @@ void close_gaps(std::vector<char>& inside, int width, int height, int reach) {
   inside = shifted(inside, wide, width, height, -reach);
 }
 
+constexpr double beyond = 3; ///< how far a domain may fill a gap beside it, in half edges
+
+/// A raster in the making.
+struct Painting {
+  DomainRaster raster;
+  std::vector<float> depth; ///< of each cell in the domain that owns it so far
+  std::vector<char> inside; ///< whether any domain covers the cell
+
+  /// Gives the point every cell that lies deeper in its domain than in those before it.
+  void add(int point, const Parallelogram& domain) {
+    const auto within = [](double value, int size) { return static_cast<int>(std::clamp(value, 0.0, double(size))); };
+    const double dx = beyond * (std::abs(domain.a.x) + std::abs(domain.b.x));
+    const double dy = beyond * (std::abs(domain.a.y) + std::abs(domain.b.y));
+    const int x0 = within(domain.centre.x - dx, raster.width), x1 = within(domain.centre.x + dx + 1, raster.width);
+    const int y0 = within(domain.centre.y - dy, raster.height), y1 = within(domain.centre.y + dy + 1, raster.height);
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) {
+        const auto at = static_cast<std::size_t>(std::ptrdiff_t{y} * raster.width + x);
+        const auto here = static_cast<float>(domain.depth({x + 0.5, y + 0.5}));
+        if (here <= 1) inside[at] = 1;
+        if (here > beyond || here >= depth[at]) continue;
+        depth[at] = here;
+        raster.owner[at] = point;
+      }
+  }
+};
+
 } // namespace
 
 /// Domains of deformed points overlap and gape. A cell belongs to the domain in which it lies deepest, measured in the
 /// domain's own edges: domains that fit together show their true shape, others meet half way.
 DomainRaster rasterise_domains(const Frame& frame, const Box& view, double cell) {
-  DomainRaster raster{static_cast<int>(std::ceil((view.right - view.left) / cell)),
-                      static_cast<int>(std::ceil((view.top - view.bottom) / cell)),
-                      {}};
-  const std::size_t cells = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
-  raster.owner.assign(cells, -1);
-  std::vector<float> depth(cells, std::numeric_limits<float>::max());
-  std::vector<char> inside(cells, 0);
+  const int width = static_cast<int>(std::ceil((view.right - view.left) / cell - 1e-6));
+  const int height = static_cast<int>(std::ceil((view.top - view.bottom) / cell - 1e-6));
+  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  Painting painting{{width, height, std::vector<int>(cells, -1)},
+                    std::vector<float>(cells, std::numeric_limits<float>::max()),
+                    std::vector<char>(cells, 0)};
   double area = 0;
-
-  constexpr double beyond = 3; // how far a domain may fill a gap beside it, in half edges
   for (std::size_t i = 0; i < frame.points(); ++i) {
     const Parallelogram domain = parallelogram(frame.corners.data() + 12 * i, view, cell);
-    if (!(std::abs(domain.determinant) > 0)) continue;
+    if (!(std::abs(domain.determinant) > 0)) continue; // flat, or not a number
+    painting.add(static_cast<int>(i), domain);
     area += 4 * std::abs(domain.determinant);
-    const double dx = beyond * (std::abs(domain.a.x) + std::abs(domain.b.x));
-    const double dy = beyond * (std::abs(domain.a.y) + std::abs(domain.b.y));
-    const auto within = [](double value, int size) { return static_cast<int>(std::clamp(value, 0.0, double(size))); };
-    const int x1 = within(domain.centre.x + dx + 1, raster.width), y1 = within(domain.centre.y + dy + 1, raster.height);
-    for (int y = within(domain.centre.y - dy, raster.height); y < y1; ++y)
-      for (int x = within(domain.centre.x - dx, raster.width); x < x1; ++x) {
-        const std::size_t at =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(x);
-        const auto here = static_cast<float>(domain.depth({x + 0.5, y + 0.5}));
-        if (here <= 1) inside[at] = 1;
-        if (here < depth[at] && here <= beyond) depth[at] = here, raster.owner[at] = static_cast<int>(i);
-      }
   }
 
-  const double side = std::sqrt(area / std::max<double>(1, static_cast<double>(frame.points())));
-  close_gaps(inside, raster.width, raster.height, static_cast<int>(std::ceil(side)));
+  const double side = std::sqrt(area / std::max(1.0, static_cast<double>(frame.points())));
+  const int reach = static_cast<int>(std::min(std::ceil(side), std::max(width, height) / 4.0));
+  close_gaps(painting.inside, width, height, reach);
   for (std::size_t at = 0; at < cells; ++at)
-    if (!inside[at]) raster.owner[at] = -1;
-  return raster;
+    if (!painting.inside[at]) painting.raster.owner[at] = -1;
+  return std::move(painting.raster);
 }
 
 } // namespace riedel
