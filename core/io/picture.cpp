@@ -1,0 +1,216 @@
+#include "core/io/picture.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/domain_raster.hpp"
+#include "core/io/raster_canvas.hpp"
+#include "core/io/replace_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace riedel {
+namespace {
+
+constexpr Color grey{0.45, 0.45, 0.45}, unknown{0.75, 0.75, 0.75};
+constexpr double millimetre = 1e-3; ///< [m]
+constexpr int bar_ticks = 6;
+
+void check(const std::vector<Panel>& panels, const PictureOptions& options) {
+  if (panels.empty()) throw std::logic_error("a picture without panels");
+  for (const Panel& panel : panels) {
+    panel.frame->check();
+    if (panel.frame->dimension != 2 || panel.frame->corners.empty())
+      throw InputError("pictures show the domains of points in two dimensions; for others open the .pvd in ParaView");
+    if (const Field& field = panel.frame->field(options.field);
+        options.component < 0 || options.component >= field.components)
+      throw InputError("field '" + field.name + "' has no component " + std::to_string(options.component));
+  }
+}
+
+double value_at(const Field& field, int component, std::size_t point) {
+  return field.values[point * static_cast<std::size_t>(field.components) + static_cast<std::size_t>(component)];
+}
+
+Interval color_range(const std::vector<Panel>& panels, const PictureOptions& options) {
+  Extent extent;
+  for (const Panel& panel : panels) {
+    const Field& field = panel.frame->field(options.field);
+    for (std::size_t i = 0; i < panel.frame->points(); ++i) extent.add(value_at(field, options.component, i));
+  }
+  return options.range.value_or(extent.interval(0));
+}
+
+/// The part of the plane that holds every panel's specimen, y upwards [m].
+Box common_view(const std::vector<Panel>& panels) {
+  Extent x, y;
+  for (const Panel& panel : panels)
+    for (std::size_t i = 0; i < panel.frame->corners.size(); i += 3) {
+      x.add(panel.frame->corners[i]);
+      y.add(panel.frame->corners[i + 1]);
+    }
+  const Interval across = x.interval(0), up = y.interval(0);
+  const double margin = 0.03 * std::max(across.width(), up.width());
+  return {across.low - margin, up.high + margin, across.high + margin, up.low - margin};
+}
+
+struct Layout {
+  Box view;        ///< in metres, top > bottom
+  Interval colors; ///< of the field
+  double font;     ///< [px], as all that follows
+  double scale;    ///< pixels per metre
+  double width, height;
+  bool has_subtitles;     ///< in any panel
+  std::vector<Box> areas; ///< one for each panel, on whole pixels
+  Box bar;
+  std::vector<double> bar_values;
+  std::vector<std::string> bar_labels;
+};
+
+double widest(const std::vector<std::string>& texts, double size) {
+  double width = 0;
+  for (const std::string& text : texts) width = std::max(width, text_width(text, size));
+  return width;
+}
+
+Interval millimetres(double low, double high) { return {low / millimetre, high / millimetre}; }
+
+Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) {
+  Layout l;
+  l.view = common_view(panels);
+  l.colors = color_range(panels, options);
+  l.font = std::max(10.0, std::round(std::min(options.width, options.height) / 46.0));
+  l.bar_values = round_ticks(l.colors, bar_ticks);
+  l.bar_labels = tick_labels(l.bar_values);
+
+  std::vector<std::string> titles, subtitles;
+  for (const Panel& panel : panels) titles.push_back(panel.title), subtitles.push_back(panel.subtitle);
+  const double title = widest(titles, 1.1 * l.font), subtitle = widest(subtitles, 0.9 * l.font);
+  const double heading = options.title.empty() ? 0 : text_width(options.title, 1.25 * l.font);
+  const double y_labels = widest(tick_labels(round_ticks(millimetres(l.view.bottom, l.view.top), 8)), l.font);
+  const double left = 3.2 * l.font + y_labels, bottom = 4 * l.font, gap = 1.5 * l.font;
+  const double rows = 0.8 + (heading > 0 ? 2.4 : 0) + (title > 0 ? 1.7 : 0) + (subtitle > 0 ? 1.4 : 0);
+  const double top = std::round(rows * l.font);
+  const double right = 6 * l.font + widest(l.bar_labels, l.font);
+
+  l.has_subtitles = subtitle > 0;
+
+  const double count = static_cast<double>(panels.size());
+  const double across = l.view.right - l.view.left, up = l.view.top - l.view.bottom;
+  l.scale = std::min((options.width - left - right - (count - 1) * gap) / (count * across),
+                     (options.height - top - bottom) / up);
+  const double panel_width = std::floor(across * l.scale + 1e-6), panel_height = std::floor(up * l.scale + 1e-6);
+  const double column = std::max({panel_width, title + gap, subtitle + gap});
+  const double content = left + (count - 1) * (column + gap) + column / 2 + panel_width / 2 + right;
+  l.width = std::max({content, heading + 2 * gap});
+  l.height = top + panel_height + bottom;
+  double x = std::round((l.width - content) / 2 + left + (column - panel_width) / 2);
+  for (std::size_t i = 0; i < panels.size(); ++i, x += std::round(column + gap))
+    l.areas.push_back({x, top, x + panel_width, top + panel_height});
+  const Box& last = l.areas.back();
+  const double shorter = 0.1 * panel_height;
+  l.bar = {last.right + 1.4 * l.font, last.top + shorter, last.right + 2.4 * l.font, last.bottom - shorter};
+  return l;
+}
+
+void draw_specimen(RasterCanvas& canvas, const Panel& panel, const PictureOptions& options, const Layout& l,
+                   const Box& area) {
+  constexpr int fine = 3; // samples along each edge of a pixel
+  const DomainRaster raster = rasterise_domains(*panel.frame, l.view, 1 / (l.scale * fine));
+  const Field& field = panel.frame->field(options.field);
+  const auto color_of = [&](int point) {
+    const double value = value_at(field, options.component, static_cast<std::size_t>(point));
+    return std::isfinite(value) ? viridis(l.colors.part(value)) : unknown;
+  };
+  for (int y = 0; y < raster.height / fine; ++y)
+    for (int x = 0; x < raster.width / fine; ++x) {
+      Color sum;
+      int covered = 0;
+      for (int sample = 0; sample < fine * fine; ++sample) {
+        const int point = raster.at(fine * x + sample % fine, fine * y + sample / fine);
+        if (point < 0) continue;
+        const Color color = color_of(point);
+        sum = {sum.r + color.r, sum.g + color.g, sum.b + color.b};
+        ++covered;
+      }
+      if (covered == 0) continue;
+      canvas.blend(static_cast<int>(area.left) + x, static_cast<int>(area.top) + y,
+                   {sum.r / covered, sum.g / covered, sum.b / covered}, double(covered) / (fine * fine));
+    }
+}
+
+/// @param first whether to label the vertical axis, which the panels share
+void draw_axes(RasterCanvas& canvas, const Layout& l, const Box& area, bool first) {
+  const double f = l.font, tick = 0.35 * f;
+  const Pen axis{ink, std::max(1.0, std::round(f / 14))};
+  canvas.line({{area.left, area.top},
+               {area.right, area.top},
+               {area.right, area.bottom},
+               {area.left, area.bottom},
+               {area.left, area.top}},
+              axis);
+  const Interval across = millimetres(l.view.left, l.view.right), up = millimetres(l.view.bottom, l.view.top);
+  const auto x_ticks = round_ticks(across, std::max(2, static_cast<int>(area.width() / (5 * f))));
+  const auto y_ticks = round_ticks(up, std::max(2, static_cast<int>(area.height() / (5 * f))));
+  const auto x_labels = tick_labels(x_ticks), y_labels = tick_labels(y_ticks);
+  for (std::size_t i = 0; i < x_ticks.size(); ++i) {
+    const double x = area.left + across.part(x_ticks[i]) * area.width();
+    canvas.line({{x, area.bottom}, {x, area.bottom + tick}}, axis);
+    canvas.text({x, area.bottom + tick + 1.15 * f}, x_labels[i], {f, ink, Anchor::middle});
+  }
+  for (std::size_t i = 0; i < y_ticks.size(); ++i) {
+    const double y = area.bottom - up.part(y_ticks[i]) * area.height();
+    canvas.line({{area.left - tick, y}, {area.left, y}}, axis);
+    if (first) canvas.text({area.left - tick - 0.3 * f, y + 0.36 * f}, y_labels[i], {f, ink, Anchor::end});
+  }
+  canvas.text({(area.left + area.right) / 2, area.bottom + 3.1 * f}, "x [mm]", {f, ink, Anchor::middle});
+  if (!first) return;
+  const double x = area.left - tick - 1.1 * f - widest(y_labels, f);
+  canvas.text({x, (area.top + area.bottom) / 2}, "y [mm]", {f, ink, Anchor::middle, true});
+}
+
+void draw_color_bar(RasterCanvas& canvas, const Layout& l, const std::string& label) {
+  const double f = l.font;
+  const int top = static_cast<int>(l.bar.top), bottom = static_cast<int>(l.bar.bottom);
+  for (int y = top; y < bottom; ++y)
+    for (int x = static_cast<int>(l.bar.left); x < static_cast<int>(l.bar.right); ++x)
+      canvas.blend(x, y, viridis((bottom - y - 0.5) / (bottom - top)), 1);
+  for (std::size_t i = 0; i < l.bar_values.size(); ++i) {
+    const double y = bottom - l.colors.part(l.bar_values[i]) * (bottom - top);
+    canvas.line({{l.bar.right, y}, {l.bar.right + 0.3 * f, y}}, {ink, std::max(1.0, std::round(f / 14))});
+    canvas.text({l.bar.right + 0.6 * f, y + 0.36 * f}, l.bar_labels[i], {f});
+  }
+  const double x = l.bar.right + 2.1 * f + widest(l.bar_labels, f);
+  canvas.text({x, (l.bar.top + l.bar.bottom) / 2}, label, {f, ink, Anchor::middle, true});
+}
+
+void draw_titles(RasterCanvas& canvas, const Panel& panel, const Layout& l, const Box& area) {
+  const double x = (area.left + area.right) / 2;
+  const double y = area.top - 0.7 * l.font;
+  canvas.text({x, y}, panel.subtitle, {0.9 * l.font, grey, Anchor::middle});
+  canvas.text({x, y - (l.has_subtitles ? 1.4 * l.font : 0)}, panel.title, {1.1 * l.font, ink, Anchor::middle});
+}
+
+} // namespace
+
+void write_field_picture(const std::filesystem::path& path, const Frame& frame, const PictureOptions& options) {
+  PictureOptions rest = options;
+  rest.title.clear();
+  write_field_pictures(path, {{&frame, options.title, options.subtitle}}, rest);
+}
+
+void write_field_pictures(const std::filesystem::path& path, const std::vector<Panel>& panels,
+                          const PictureOptions& options) {
+  check(panels, options);
+  const Layout l = lay_out(panels, options);
+  RasterCanvas canvas(l.width, l.height);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    draw_specimen(canvas, panels[i], options, l, l.areas[i]);
+    draw_axes(canvas, l, l.areas[i], i == 0);
+    draw_titles(canvas, panels[i], l, l.areas[i]);
+  }
+  draw_color_bar(canvas, l, options.label);
+  canvas.text({l.width / 2, 2.1 * l.font}, options.title, {1.25 * l.font, ink, Anchor::middle});
+  replace_file(path, canvas.encode());
+}
+
+} // namespace riedel
