@@ -19,7 +19,8 @@ Json with_bounds(Json schema, const Bounds& bounds) {
 /// A number, or a text that begins like one: the unit is checked by the program.
 Json number(const Key& key) {
   Json any = Json::array({with_bounds({{"type", "number"}}, key.bounds)});
-  if (!key.unit.empty()) any.push_back({{"type", "string"}, {"pattern", R"(^\s*[-+]?[0-9.].*[^0-9.\s]\s*$)"}});
+  if (!key.unit.empty())
+    any.push_back({{"type", "string"}, {"pattern", R"(^\s*[-+]?[0-9.]+([eE][-+]?[0-9]+)?\s*[^0-9.\s].*$)"}});
   if (!key.choices.empty()) any.push_back({{"enum", key.choices}});
   return {{"anyOf", any}};
 }

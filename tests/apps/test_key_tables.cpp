@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 using namespace riedel;
 using testing::HasSubstr;
@@ -59,4 +60,13 @@ TEST(KeyTables, TheSchemaKnowsTheParametersOfEachLaw) {
   EXPECT_FALSE(laws[0].contains("required")); // the default law need not be named
   EXPECT_FALSE(laws[1]["properties"].contains("phi_c"));
   EXPECT_EQ(laws[1]["required"][0], "model");
+}
+
+TEST(KeyTables, TheSchemaTakesTextsWithUnits) {
+  const auto schema = nlohmann::json::parse(biaxial_schema(fake_catalogue()));
+  const auto& width = schema["properties"]["specimen"]["properties"]["width"]["anyOf"];
+  const std::regex quantity(width.at(1).at("pattern").get<std::string>());
+  for (const char* text : {"1.5 mm", "2650 kg/m3", "-1e-3m", "6 %"})
+    EXPECT_TRUE(std::regex_match(text, quantity)) << text;
+  for (const char* text : {"wide", "0.04", "", "mm"}) EXPECT_FALSE(std::regex_match(text, quantity)) << text;
 }

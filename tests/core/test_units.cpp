@@ -32,6 +32,11 @@ TEST(Units, UnderstandProductsAndPowersInAnySpelling) {
   EXPECT_DOUBLE_EQ(read_quantity("30°", "deg"), 30.0);
 }
 
+TEST(Units, OfTheKeyMayHaveAPrefixToo) {
+  EXPECT_EQ(read_quantity("1.5 m", "mm"), 1500.0);
+  EXPECT_EQ(read_quantity("190 MPa", "kPa"), 190e3);
+}
+
 TEST(Units, RefuseWhatMeasuresSomethingElse) {
   for (const auto& [text, unit] : {std::pair{"40 kPa", "m"}, {"3 s", "m/s"}, {"30 deg", "-"}, {"1 m2", "m"}})
     EXPECT_THAT([&] { read_quantity(text, unit); }, testing::ThrowsMessage<InputError>("has a unit of another kind"));
