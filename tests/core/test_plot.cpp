@@ -208,6 +208,7 @@ TEST(ReplaceFile, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
   replace_file(path, "old");
   fs::create_symlink("/dev/full", path.string() + ".part");
   EXPECT_THROW(replace_file(path, "new"), RunError);
+  ASSERT_FALSE(fs::is_symlink(path)) << "the full device took the name";
   std::ifstream in(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "old");
   fs::remove(path);
