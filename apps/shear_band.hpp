@@ -34,7 +34,7 @@ struct ShearBand {
   bool rises_to_the_right = false; ///< else to the left
   double thickness_m = 0.0;        ///< the paper's way: area with e above the threshold over length [m]
   double thickness_fwhm_m = 0.0;   ///< full width at half maximum of the dilation across the band [m]
-  double thickness_over_lc = 0.0;  ///< thickness_m / l_c; 0 when l_c is [-]
+  double thickness_over_lc = 0.0;  ///< thickness_m / l_c; 0 for a local law [-]
   double threshold = 0.0;          ///< void ratio that thickness_m counts from [-]
   double void_ratio_inside = 0.0;  ///< mean e over the middle half of the width [-]
   double localisation_ratio = 0.0; ///< mean of the top tenth of `shear` over its median [-]

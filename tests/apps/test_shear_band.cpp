@@ -235,6 +235,14 @@ TEST(ShearBand, IsNotWhereNothingDilates) {
   expect_none(Specimen(24, 84).band(56.0, 0.02, 0.07, 0.005, gaussian(7.5e-3)).measure({.least_ratio = 0.0}));
 }
 
+TEST(ShearBand, IsNotAHeapOfPointsInOnePlace) {
+  const std::vector<double> place(50, 0.01), one(50, 1.0), e0(50, 0.55);
+  std::vector<double> e(50, 0.55), rotation(50, 0.0);
+  std::fill_n(e.begin(), 20, 0.8);
+  std::fill_n(rotation.begin(), 20, 0.1);
+  expect_none(measure_shear_band({place, place, one, e, e0, rotation, one}, {.least_ratio = 0.0}));
+}
+
 TEST(ShearBand, IsNotInAnEmptySpecimen) { expect_none(measure_shear_band({})); }
 
 TEST(ShearBand, HasANameForEachKind) {
