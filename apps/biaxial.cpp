@@ -6,7 +6,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
-#include "apps/shear_band.hpp"
+#include "apps/band_report.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/case_text.hpp"
 #include "core/io/progress.hpp"
@@ -51,7 +51,7 @@ nlohmann::ordered_json summary_of(const BiaxialRun& run, const Values& values, c
   all["ns_per_point_step"] = 1e9 * wall / point_steps;
   all["threads"] = threads;
   all["quasi_static"] = run.kinetic_over_internal() <= quasi_static_limit;
-  all["band"] = band_json(measure_band(run.frame(), values), values.number("nonlocal.length"));
+  all["band"] = band_json(measure_band(run.frame(), values));
   return all;
 }
 

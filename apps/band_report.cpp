@@ -1,0 +1,46 @@
+#include "apps/band_report.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace riedel {
+
+ShearBand measure_band(const Frame& frame, const Values& values) {
+  if (std::ranges::none_of(frame.fields, [](const Field& f) { return f.name == "void_ratio"; })) return {};
+  const std::size_t count = frame.points();
+  const auto& e = frame.field("void_ratio").values;
+  const auto& J = frame.field("volume_ratio").values;
+  std::vector<double> x(count), y(count), e_0(count), rotation = frame.field("polar_rotation").values;
+  for (std::size_t p = 0; p < count; ++p) {
+    x[p] = frame.position[3 * p];
+    y[p] = frame.position[3 * p + 1];
+    e_0[p] = (1.0 + e[p]) / J[p] - 1.0; // grains keep their volume
+    rotation[p] *= std::numbers::pi / 180.0;
+  }
+  const BandSettings settings{.length = values.number("nonlocal.length"),
+                              .threshold = values.number("output.band_void_ratio")};
+  return measure_shear_band({.x = x,
+                             .y = y,
+                             .volume = frame.field("volume").values,
+                             .void_ratio = e,
+                             .initial_void_ratio = e_0,
+                             .rotation = rotation,
+                             .shear = frame.field("shear_strain").values},
+                            settings);
+}
+
+nlohmann::ordered_json band_json(const ShearBand& band) {
+  return {{"found", band.found},
+          {"kind", name_of(band.kind)},
+          {"inclination_deg", band.inclination_deg},
+          {"thickness_m", band.thickness_m},
+          {"thickness_fwhm_m", band.thickness_fwhm_m},
+          {"thickness_over_lc", band.thickness_over_lc},
+          {"void_ratio_inside", band.void_ratio_inside},
+          {"localisation_ratio", band.localisation_ratio},
+          {"conjugate_ratio", band.conjugate_ratio},
+          {"straight_length_m", band.straight_length_m}};
+}
+
+} // namespace riedel
