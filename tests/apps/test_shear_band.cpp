@@ -57,6 +57,7 @@ public:
       if (x_[p] < 0.005 && std::abs(y_[p] - 0.07) < 0.0025) {
         e0_[p] = 0.90;
         e_[p] = 0.89;
+        rotation_[p] = 0.3;
         shear_[p] = 0.2;
       }
     return *this;
@@ -145,6 +146,7 @@ TEST(ShearBand, IsMeasuredInNoise) {
     EXPECT_EQ(band.kind, BandKind::single);
     EXPECT_NEAR(band.inclination_deg, 56.0, 0.5);
     EXPECT_NEAR(band.thickness_fwhm_m, 7.5e-3, 0.05 * 7.5e-3);
+    EXPECT_LT(band.conjugate_ratio, 0.02); // neither noise nor patch is a band
   }
 }
 
@@ -153,6 +155,7 @@ TEST(ShearBand, CrossingAnEqualOneIsAnX) {
     const ShearBand band = Specimen(mesh.columns, mesh.rows)
                                .band(56.0, 0.02, 0.07, 0.27, gaussian(7.5e-3))
                                .band(-56.0, 0.02, 0.07, 0.27, gaussian(7.5e-3))
+                               .tilt(0.8) // of the whole specimen: tells nothing
                                .measure();
     ASSERT_TRUE(band.found);
     EXPECT_EQ(band.kind, BandKind::x);
@@ -186,6 +189,17 @@ TEST(ShearBand, IsMeasuredWhereItIsStraight) {
     ASSERT_TRUE(band.found);
     EXPECT_EQ(band.kind, BandKind::single);
     EXPECT_NEAR(band.inclination_deg, 56.0, 0.5);
+    EXPECT_NEAR(band.thickness_fwhm_m, 7.5e-3, 0.05 * 7.5e-3);
+  }
+}
+
+TEST(ShearBand, IsNotTurnedByWhatDilatesElsewhere) {
+  for (const Mesh mesh : meshes) { // a spot at the left edge that turns the same way
+    Specimen specimen(mesh.columns, mesh.rows);
+    specimen.band(5.0, 0.0, 0.125, 0.25, gaussian(10e-3)).wipe([](double x, double) { return x > 0.010; });
+    const ShearBand band = specimen.band(57.0, 0.02, 0.10, 0.27, gaussian(7.5e-3)).measure();
+    ASSERT_TRUE(band.found);
+    EXPECT_NEAR(band.inclination_deg, 57.0, 0.5);
     EXPECT_NEAR(band.thickness_fwhm_m, 7.5e-3, 0.05 * 7.5e-3);
   }
 }
