@@ -1,4 +1,5 @@
 /// riedel biaxial: the plane strain compression test, from a case to numbers, files for ParaView and pictures.
+#include "apps/band_report.hpp"
 #include "apps/biaxial_keys.hpp"
 #include "apps/biaxial_pictures.hpp"
 #include "apps/catalogue.hpp"
@@ -6,7 +7,6 @@
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
-#include "apps/band_report.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/case_text.hpp"
 #include "core/io/progress.hpp"
@@ -65,7 +65,8 @@ void print_result(const nlohmann::ordered_json& s, const std::filesystem::path& 
     std::printf("shear band %s, inclined %.1f deg, thickness %.2f mm (half maximum), %.2f mm (by void ratio)\n",
                 band["kind"].get<std::string>().c_str(), band["inclination_deg"].get<double>(),
                 1e3 * band["thickness_fwhm_m"].get<double>(), 1e3 * band["thickness_m"].get<double>());
-  else std::printf("shear band none\n");
+  else
+    std::printf("shear band none\n");
   std::printf("energy     kinetic over internal at most %.2g\ntime       %.1f s, %.0f ns per point and step\n",
               s["kinetic_over_internal_max"].get<double>(), s["wall_s"].get<double>(),
               s["ns_per_point_step"].get<double>());
@@ -101,11 +102,15 @@ int biaxial(const Arguments& arguments) {
                 [&](const BiaxialRow& row) {
                   watch.look(run.simulation());
                   std::array<char, 48> note{};
-                  std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h, row.angle);
+                  std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h,
+                                row.angle);
                   progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
                 });
   } catch (const RunError& error) {
-    write_summary(folder, {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", error.what()},
+    write_summary(folder, {{"case", "biaxial"},
+                           {"version", version()},
+                           {"status", "failed"},
+                           {"reason", error.what()},
                            {"steps", run.simulation().state().step}});
     throw;
   }
@@ -116,8 +121,8 @@ int biaxial(const Arguments& arguments) {
   if (values.flag("output.plots")) pictures = draw_biaxial(run, values, folder);
   print_result(result, folder, pictures);
   if (!result["quasi_static"].get<bool>())
-    print_warning("the run is not quasi-static: kinetic energy reached " +
-                  exact_text(run.kinetic_over_internal()) + " of the internal one; use a smaller loading.speed");
+    print_warning("the run is not quasi-static: kinetic energy reached " + exact_text(run.kinetic_over_internal()) +
+                  " of the internal one; use a smaller loading.speed");
   return interrupt ? interrupt.exit_code() : 0;
 }
 

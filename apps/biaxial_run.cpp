@@ -8,14 +8,16 @@
 namespace riedel {
 
 namespace {
-const std::vector<std::string> columns{
-    "step",       "time_s",       "u_over_h",  "phi_mob_deg",  "force_N_per_m", "kinetic_J_per_m", "internal_J_per_m",
-    "external_J_per_m", "time_step_s", "substepped", "low_pressure", "separated", "out_of_bounds"};
+const std::vector<std::string> columns{"step",          "time_s",          "u_over_h",         "phi_mob_deg",
+                                       "force_N_per_m", "kinetic_J_per_m", "internal_J_per_m", "external_J_per_m",
+                                       "time_step_s",   "substepped",      "low_pressure",     "separated",
+                                       "out_of_bounds"};
 constexpr double settled = 0.005; ///< u/h0 before which the internal energy is too small to compare with
-}
+} // namespace
 
 BiaxialRun::BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder)
-    : values_(values), simulation_(make_biaxial(values, catalogue)),
+    : values_(values),
+      simulation_(make_biaxial(values, catalogue)),
       speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
       history_(folder / "history.csv", columns) {
   if (values.flag("output.vtk")) series_.emplace(folder);

@@ -49,8 +49,8 @@ private:
   History history_;
   std::optional<SeriesWriter> series_;
   std::vector<BiaxialRow> rows_;
-  double u_ = 0.0;                   ///< displacement of the platen [m]
-  double force_sum_ = 0.0;           ///< ∫ force dt since the last row
+  double u_ = 0.0;         ///< displacement of the platen [m]
+  double force_sum_ = 0.0; ///< ∫ force dt since the last row
   double force_time_ = 0.0;
   std::int64_t last_frame_step_ = -1;
   double next_row_ = 0.0, next_frame_ = 0.0; ///< u/h0 from which they are due

@@ -12,9 +12,9 @@ namespace {
 
 /// The case's numbers, and what follows from them.
 struct Specimen {
-  Vec<2> size;                  ///< b0, h0 [m]
+  Vec<2> size; ///< b0, h0 [m]
   Counts<2> cells;
-  Vec<2> cell;                  ///< h [m]
+  Vec<2> cell;                                ///< h [m]
   Index margin_x, margin_below, margin_above; ///< cells of the grid around the specimen
   bool rigid_platen, pressure_on_points;
   double pressure;
@@ -22,7 +22,8 @@ struct Specimen {
   Specimen(const Values& v, const ShapeFunction<2>& scheme)
       : size(v.number("specimen.width"), v.number("specimen.height")),
         rigid_platen(v.text("loading.platen") == "rigid_points"),
-        pressure_on_points(v.text("loading.lateral") == "points"), pressure(v.number("loading.confining_pressure")) {
+        pressure_on_points(v.text("loading.lateral") == "points"),
+        pressure(v.number("loading.confining_pressure")) {
     for (std::size_t a = 0; a < 2; ++a) {
       cells[a] = static_cast<Index>(v.integers("grid.cells")[a]);
       cell[a] = size[a] / cells[a];
@@ -176,8 +177,10 @@ Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
   set_initial_state(body, specimen, v);
   set_averager(body, v, catalogue);
 
-  if (specimen.pressure_on_points) model.surface_pressures.push_back(side_pressure(specimen, body.points));
-  else model.confining_pressure = specimen.pressure;
+  if (specimen.pressure_on_points)
+    model.surface_pressures.push_back(side_pressure(specimen, body.points));
+  else
+    model.confining_pressure = specimen.pressure;
   set_boundaries(model, state, specimen, v);
   return {std::move(model), std::move(state)};
 }

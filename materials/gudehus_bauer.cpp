@@ -21,9 +21,15 @@ Keys GudehusBauer::parameters() {
 }
 
 GudehusBauer::GudehusBauer(const Values& given)
-    : RateLaw(IntegrationControl(given)), h_s_(given.number("h_s")), n_(given.number("n")),
-      e_i0_(given.number("e_i0")), e_d0_(given.number("e_d0")), e_c0_(given.number("e_c0")),
-      alpha_(given.number("alpha")), beta_(given.number("beta")), grain_density_(given.number("grain_density")) {
+    : RateLaw(IntegrationControl(given)),
+      h_s_(given.number("h_s")),
+      n_(given.number("n")),
+      e_i0_(given.number("e_i0")),
+      e_d0_(given.number("e_d0")),
+      e_c0_(given.number("e_c0")),
+      alpha_(given.number("alpha")),
+      beta_(given.number("beta")),
+      grain_density_(given.number("grain_density")) {
   check_bounds(parameters(), given, name);
   if (!(e_d0_ < e_c0_ && e_c0_ < e_i0_))
     throw InputError("gudehus_bauer: the void ratios must obey e_d0 < e_c0 < e_i0; given " + exact_text(e_d0_) + ", " +

@@ -5,13 +5,12 @@
 namespace riedel {
 
 /// Gudehus–Bauer hypoplasticity for a skeleton of sand grains.
-/// Gudehus (1996) and Bauer (1996), Soils and Foundations 36(1); equations (A1)–(A10) of Krzyżanowski, Wójcik & Tejchman
-/// (2020), with h_i of Bauer (1996), which that paper leaves out.
-/// Local and non-local: the N-term takes the averaged norm d* where the case gives a length, ‖D‖ otherwise.
-class GudehusBauer final : public RateLaw<GudehusBauer> {
+/// Gudehus (1996) and Bauer (1996), Soils and Foundations 36(1); equations (A1)–(A10) of Krzyżanowski, Wójcik &
+/// Tejchman (2020), with h_i of Bauer (1996), which that paper leaves out. Local and non-local: the N-term takes the
+/// averaged norm d* where the case gives a length, ‖D‖ otherwise.
+class GudehusBauer final : public RateLaw<GudehusBauer, 1> {
 public:
   static constexpr std::string_view name = "gudehus_bauer";
-  static constexpr std::size_t own_states = 1; ///< void ratio e
   static constexpr bool frictional = true;
   static Keys parameters();
   /// @param given a value for each of `parameters()`; throws InputError for one that the law does not admit
@@ -30,8 +29,8 @@ private:
   /// The factors that depend on pressure and density alone.
   template <class Real>
   struct Factors {
-    Real f_s, f_d;   ///< (A8) [Pa], [-]
-    Real e_d, e_i;   ///< bounds of the void ratio at this pressure, (A10)
+    Real f_s, f_d; ///< (A8) [Pa], [-]
+    Real e_d, e_i; ///< bounds of the void ratio at this pressure, (A10)
   };
   template <class Real>
   Factors<Real> factors(Real P, Real e) const;
@@ -46,11 +45,11 @@ private:
 
 template <class Real>
 auto GudehusBauer::factors(Real P, Real e) const -> Factors<Real> {
-  const Real shrink = exp(-pow(P / Real(h_s_), Real(n_)));                                                    // (A10)
-  const Real e_i = Real(e_i0_) * shrink, e_d = Real(e_d0_) * shrink, e_c = Real(e_c0_) * shrink;              // (A10)
-  const Real f_s = Real(h_s_ / (n_ * h_i_)) * pow(e_i / e, Real(beta_)) * (Real(1.0) + e_i) / e_i *           // (A8)
+  const Real shrink = exp(-pow(P / Real(h_s_), Real(n_)));                                          // (A10)
+  const Real e_i = Real(e_i0_) * shrink, e_d = Real(e_d0_) * shrink, e_c = Real(e_c0_) * shrink;    // (A10)
+  const Real f_s = Real(h_s_ / (n_ * h_i_)) * pow(e_i / e, Real(beta_)) * (Real(1.0) + e_i) / e_i * // (A8)
                    pow(P / Real(h_s_), Real(1.0 - n_));
-  const Real f_d = pow(max((e - e_d) / (e_c - e_d), Real(0.0)), Real(alpha_));                                // (A8)
+  const Real f_d = pow(max((e - e_d) / (e_c - e_d), Real(0.0)), Real(alpha_)); // (A8)
   return {.f_s = f_s, .f_d = f_d, .e_d = e_d, .e_i = e_i};
 }
 
@@ -64,10 +63,10 @@ Rate<Real, 1> GudehusBauer::rate(const Sym<Real>& sigma, const std::array<Real, 
                                  Real d) const {
   const Real P = -trace(sigma), e = state[0]; // P = 3 p_s
   const Factors<Real> f = factors(P, e);
-  const Sym<Real> s = sigma / trace(sigma), s_dev = deviator(s);                   // (A2), (A7)
+  const Sym<Real> s = sigma / trace(sigma), s_dev = deviator(s); // (A2), (A7)
   const Real a = a1(s_dev);
-  const Sym<Real> L = a * a * D + dot(s, D) * s;                                   // (A3)
-  const Sym<Real> N = a * (s + s_dev);                                             // (A4)
+  const Sym<Real> L = a * a * D + dot(s, D) * s;                                         // (A3)
+  const Sym<Real> N = a * (s + s_dev);                                                   // (A4)
   return {.stress = f.f_s * (L + f.f_d * d * N), .state = {(Real(1.0) + e) * trace(D)}}; // (A1), (A9)
 }
 

@@ -5,10 +5,9 @@
 namespace riedel {
 
 /// Hooke's law in rates, σ° = λ tr(D) I + 2 μ D; hypo-elastic with the solver's objective rate.
-class LinearElastic final : public RateLaw<LinearElastic> {
+class LinearElastic final : public RateLaw<LinearElastic, 0> {
 public:
   static constexpr std::string_view name = "linear_elastic";
-  static constexpr std::size_t own_states = 0;
   static constexpr bool frictional = false;
   static Keys parameters();
   explicit LinearElastic(const Values& given);

@@ -64,8 +64,7 @@ private:
 } // namespace
 
 template <int Dim>
-void Cpdi<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
-                         Stencils<Dim>& stencils) const {
+void Cpdi<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const {
   for (Index p = block.begin; p < block.end; p += pack_size) {
     StencilGroup<Dim>& group = stencils.group_of(p);
     group.count = max_nodes();

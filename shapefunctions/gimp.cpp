@@ -42,8 +42,7 @@ Vec<Dim> cpgimp_half_width(const Grid<Dim>& grid, const Points<Dim>& points, Ind
 } // namespace
 
 template <int Dim>
-void Gimp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
-                         Stencils<Dim>& stencils) const {
+void Gimp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const {
   for (Index p = block.begin; p < block.end; p += pack_size) {
     std::array<AxisLanes, Dim> lanes;
     for (int a = 0; a < Dim; ++a)

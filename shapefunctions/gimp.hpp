@@ -17,9 +17,9 @@ public:
   [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
 };
 
-/// Contiguous-particle GIMP: the box follows the point's stretch, half width l_a = l_a0 U_aa with U the right stretch of
-/// F = R U, so that a rotation leaves it as it is; never wider than a cell.
-/// Wallstedt & Guilkey (2008), J. Comput. Phys. 227, 9628–9642; U as in Charlton, Coombs & Augarde (2017).
+/// Contiguous-particle GIMP: the box follows the point's stretch, half width l_a = l_a0 U_aa with U the right stretch
+/// of F = R U, so that a rotation leaves it as it is; never wider than a cell. Wallstedt & Guilkey (2008), J. Comput.
+/// Phys. 227, 9628–9642; U as in Charlton, Coombs & Augarde (2017).
 template <int Dim>
 class Cpgimp final : public ShapeFunction<Dim> {
 public:

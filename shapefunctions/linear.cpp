@@ -8,7 +8,7 @@ namespace {
 /// N = 1 − |r|/h.
 template <class Real>
 ValueSlope<Real> hat(Real r, Real h, Real) {
-  return {.value = max(Real(1.0) - abs(r) / h, Real(0.0)), .slope = copysign(Real(1.0) / h, -r)};
+  return {.value = max(Real(1.0) - abs(r) / h, Real(0.0)), .slope = -copysign(Real(1.0) / h, r)};
 }
 } // namespace
 

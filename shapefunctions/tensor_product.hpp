@@ -31,7 +31,7 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
   for (std::size_t a = 0; a < Dim; ++a) {
     const Pack h(grid.cell[a]), x = lanes[a].position - Pack(grid.origin[a]), l = lanes[a].half_width;
     // Node i is reached when x − l − h < i h < x + l + h, so the first one is ⌊(x − l)/h⌋.
-    const Pack lowest = floor((x - l) / h);
+    const Pack per_cell(1.0 / grid.cell[a]), place = x * per_cell, lowest = floor(place - l * per_cell);
     std::array<double, pack_size> low{};
     lowest.store(low.data());
     for (std::size_t k = 0; k < pack_size; ++k) {
@@ -40,7 +40,8 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
       first[a][k] = inside ? static_cast<Index>(low[k]) : 0;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(nodes_per_axis); ++i)
-      factor[a][i] = function(x - (lowest + Pack(static_cast<double>(i))) * h, h, l);
+      // From the same quotient as the floor, so that a point on a node lies on one side of it for certain.
+      factor[a][i] = function((place - (lowest + Pack(static_cast<double>(i)))) * h, h, l);
   }
 
   const Counts<Dim> strides = grid.strides();

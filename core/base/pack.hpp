@@ -27,7 +27,7 @@ struct Pack {
 
   Pack() = default;
   Pack(double value) { r.fill(detail::Register(value)); } // NOLINT: a number is a pack of equal numbers
-  static Pack load(const double* from) { ///< from eight contiguous doubles
+  static Pack load(const double* from) {                  ///< from eight contiguous doubles
     return make([&](int i) { return detail::Register::load_unaligned(from + i * detail::register_size); });
   }
   void store(double* to) const {
@@ -40,7 +40,6 @@ struct Pack {
     return p;
   }
   Pack& operator+=(const Pack& b);
-  Pack& operator-=(const Pack& b);
   Pack& operator*=(const Pack& b);
 };
 
@@ -76,9 +75,7 @@ inline Pack operator-(const Pack& a) {
   return Pack::make([&](int i) { return -a.r[i]; });
 }
 inline Pack& Pack::operator+=(const Pack& b) { return *this = *this + b; }
-inline Pack& Pack::operator-=(const Pack& b) { return *this = *this - b; }
 inline Pack& Pack::operator*=(const Pack& b) { return *this = *this * b; }
-
 inline Mask operator&&(const Mask& a, const Mask& b) {
   Mask m;
   for (int i = 0; i < detail::registers; ++i) m.r[i] = a.r[i] & b.r[i];
@@ -89,7 +86,6 @@ inline bool all(const Mask& m) {
   for (const auto& r : m.r) answer = answer && xsimd::all(r);
   return answer;
 }
-inline bool all(bool m) { return m; }
 /// Lane by lane.
 inline std::array<bool, pack_size> lanes(const Mask& m) {
   std::array<bool, pack_size> answer;
@@ -127,9 +123,7 @@ inline Pack copysign(const Pack& magnitude, const Pack& sign) {
   return Pack::make([&](int i) { return xsimd::copysign(magnitude.r[i], sign.r[i]); });
 }
 /// a^b for a ≥ 0; exp(b log a) is a third faster than a full pow and good to 1e-14 for the exponents of soil laws.
-inline Pack pow(const Pack& a, const Pack& b) {
-  return select(a > Pack(0.0), exp(b * log(a)), Pack(0.0));
-}
+inline Pack pow(const Pack& a, const Pack& b) { return select(a > Pack(0.0), exp(b * log(a)), Pack(0.0)); }
 
 using std::abs;
 using std::copysign;

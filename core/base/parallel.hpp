@@ -31,8 +31,7 @@ void for_each_block(Index points, const Body& body) {
 template <class T, class Part, class Combine>
 T reduce_blocks(Index points, std::vector<T>& parts, T start, const Part& part, const Combine& combine) {
   parts.resize(static_cast<std::size_t>(blocks_of(points)));
-  parallel_for(blocks_of(points),
-               [&](Index b) { parts[static_cast<std::size_t>(b)] = part(block_range(b, points)); });
+  parallel_for(blocks_of(points), [&](Index b) { parts[static_cast<std::size_t>(b)] = part(block_range(b, points)); });
   for (const T& value : parts) start = combine(start, value);
   return start;
 }

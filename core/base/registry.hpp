@@ -13,9 +13,9 @@ namespace riedel {
 /// What `riedel list` tells of one entry.
 struct Description {
   std::string name;
-  std::string summary;   ///< one line
-  std::string source;    ///< the paper it comes from
-  Keys parameters = {};  ///< what the case may set for it
+  std::string summary;  ///< one line
+  std::string source;   ///< the paper it comes from
+  Keys parameters = {}; ///< what the case may set for it
 };
 
 /// A list of named factories, in the order they were added.

@@ -22,7 +22,7 @@ struct Range {
   [[nodiscard]] Index size() const { return end - begin; }
 };
 
-constexpr int pack_size = 8;     ///< doubles in a pack, whatever the machine's registers hold
+constexpr int pack_size = 8;      ///< doubles in a pack, whatever the machine's registers hold
 constexpr Index block_size = 256; ///< points handled by one virtual call; a multiple of pack_size
 
 constexpr int power(int base, int exponent) { return exponent == 0 ? 1 : base * power(base, exponent - 1); }

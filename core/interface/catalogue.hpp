@@ -21,13 +21,17 @@ struct Catalogue {
 
   template <int Dim>
   [[nodiscard]] CatalogueOf<Dim>& in() {
-    if constexpr (Dim == 2) return in_2d;
-    else return in_3d;
+    if constexpr (Dim == 2)
+      return in_2d;
+    else
+      return in_3d;
   }
   template <int Dim>
   [[nodiscard]] const CatalogueOf<Dim>& in() const {
-    if constexpr (Dim == 2) return in_2d;
-    else return in_3d;
+    if constexpr (Dim == 2)
+      return in_2d;
+    else
+      return in_3d;
   }
 };
 

@@ -1,5 +1,5 @@
-/// A constitutive law: from a block of strain rates to stresses. Always three-dimensional, so that the same law serves a
-/// single point, plane strain and 3-D.
+/// A constitutive law: from a block of strain rates to stresses. Always three-dimensional, so that the same law serves
+/// a single point, plane strain and 3-D.
 #pragma once
 
 #include "core/base/registry.hpp"
@@ -20,11 +20,11 @@ struct StateVariable {
 /// The points handed to a law at once: columns of `size` numbers.
 struct MaterialBatch {
   Index size = 0;
-  double time_step = 0.0;               ///< Δt [s]
-  std::array<double*, 6> stress{};      ///< Cauchy, tension positive, Mandel, already rotated by the solver [Pa]; in, out
-  std::array<const double*, 6> rate{};  ///< rate of deformation D, Mandel [1/s]
-  const double* averaged = nullptr;     ///< non-local average of the scalar the law named; null: local
-  std::span<double* const> state{};     ///< a column per component of the declared variables; in, out
+  double time_step = 0.0;          ///< Δt [s]
+  std::array<double*, 6> stress{}; ///< Cauchy, tension positive, Mandel, already rotated by the solver [Pa]; in, out
+  std::array<const double*, 6> rate{}; ///< rate of deformation D, Mandel [1/s]
+  const double* averaged = nullptr;    ///< non-local average of the scalar the law named; null: local
+  std::span<double* const> state{};    ///< a column per component of the declared variables; in, out
 };
 
 /// What happened inside one call, or many.
@@ -34,15 +34,15 @@ struct MaterialReport {
   std::int64_t separated = 0;    ///< points that carry no stress
   std::int64_t failures = 0;     ///< points that could not be integrated; their state is left as it was
   Index first_failure = -1;
-  std::string_view reason{};     ///< why the first one failed
+  std::string_view reason{}; ///< why the first one failed
 
   void add(const MaterialReport& other, Index offset);
 };
 
 /// The state of a block as the time step and the run's report need it.
 struct Survey {
-  double wave_speed = 0.0;         ///< greatest speed of a compression wave [m/s]
-  std::int64_t out_of_bounds = 0;  ///< points whose state the law does not admit (a void ratio below e_d, say)
+  double wave_speed = 0.0;        ///< greatest speed of a compression wave [m/s]
+  std::int64_t out_of_bounds = 0; ///< points whose state the law does not admit (a void ratio below e_d, say)
 };
 
 class Material {

@@ -12,8 +12,8 @@ struct NeighbourRows {
   std::vector<Index> index;
 };
 
-/// Contract, tested for every registered search: the rows hold exactly the points with |x_p − x_q|² ≤ radius², where the
-/// square is summed axis by axis in double precision, so that all searches agree to the last pair.
+/// Contract, tested for every registered search: the rows hold exactly the points with |x_p − x_q|² ≤ radius², where
+/// the square is summed axis by axis in double precision, so that all searches agree to the last pair.
 template <int Dim>
 class NeighbourSearch {
 public:

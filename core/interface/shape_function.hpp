@@ -22,8 +22,8 @@ public:
   [[nodiscard]] virtual int max_nodes() const = 0;
   /// Layers of nodes needed beyond those of a cell that holds a point.
   [[nodiscard]] virtual int margin() const = 0;
-  /// Fills the stencils of the points in `block`, whole groups of eight: `block.begin` is a multiple of eight. Lanes past
-  /// the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
+  /// Fills the stencils of the points in `block`, whole groups of eight: `block.begin` is a multiple of eight. Lanes
+  /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                         Stencils<Dim>& stencils) const = 0;
   /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw.

@@ -54,14 +54,14 @@ void add_fields(const Body<Dim>& body, std::vector<Field>& fields) {
     if (variable.components == 6)
       list.add(variable.name, 6, variable.unit,
                [&](Index p, int c) { return tensor_component(points.state, first, p, c); });
-    else list.add(variable.name, variable.unit, points.state, first, variable.components);
+    else
+      list.add(variable.name, variable.unit, points.state, first, variable.components);
     column += variable.components;
   }
   list.add("shear_strain", "-", points.shear_strain);
   list.add("stress", 6, "Pa", [&](Index p, int c) { return tensor_component(points.stress, 0, p, c); });
-  list.add("mean_pressure", 1, "Pa", [&](Index p, int) {
-    return -(points.stress[0][p] + points.stress[1][p] + points.stress[2][p]) / 3.0;
-  });
+  list.add("mean_pressure", 1, "Pa",
+           [&](Index p, int) { return -(points.stress[0][p] + points.stress[1][p] + points.stress[2][p]) / 3.0; });
   list.add("rate_norm", "1/s", points.rate_norm);
   if (body.averager) list.add("averaged", "-", points.averaged);
   list.add("velocity", 3, "m/s", [&](Index p, int c) { return c < Dim ? points.velocity[c][p] : 0.0; });

@@ -39,7 +39,8 @@ void sort_by_cell(const Grid<Dim>& grid, Index rows_per_slab, Points<Dim>& point
   std::transform(space.keys.begin(), space.keys.end(), space.order.begin(), [](const auto& key) { return key.second; });
   for (Columns* field : points.fields()) field->reorder(space.order, space.column);
   space.ids.resize(space.order.size());
-  for (std::size_t i = 0; i < space.order.size(); ++i) space.ids[i] = points.id[static_cast<std::size_t>(space.order[i])];
+  for (std::size_t i = 0; i < space.order.size(); ++i)
+    space.ids[i] = points.id[static_cast<std::size_t>(space.order[i])];
   points.id.swap(space.ids);
   for (Index p = 0; p < points.size(); ++p) points.place[static_cast<std::size_t>(points.id[p])] = p;
 }

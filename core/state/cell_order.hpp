@@ -1,5 +1,5 @@
-/// Points sorted by where they lie, so that neighbours in space are neighbours in memory, and cut into slabs of cell rows
-/// that two threads can work on without touching one node twice.
+/// Points sorted by where they lie, so that neighbours in space are neighbours in memory, and cut into slabs of cell
+/// rows that two threads can work on without touching one node twice.
 #pragma once
 
 #include "core/state/grid.hpp"
@@ -7,9 +7,9 @@
 
 namespace riedel {
 
-/// Slab s holds the points begin[s] … begin[s + 1] − 1, which lie in `rows` rows of cells along the last axis. With slabs
-/// thick enough, those of even number touch no common node, nor do those of odd number: each set is spread over threads
-/// and every node receives its sums in the same order whatever their number.
+/// Slab s holds the points begin[s] … begin[s + 1] − 1, which lie in `rows` rows of cells along the last axis. With
+/// slabs thick enough, those of even number touch no common node, nor do those of odd number: each set is spread over
+/// threads and every node receives its sums in the same order whatever their number.
 struct Slabs {
   Index rows = 0;
   std::vector<Index> begin;

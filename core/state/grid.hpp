@@ -8,8 +8,8 @@ namespace riedel {
 /// Nodes are numbered with the first axis fastest.
 template <int Dim>
 struct Grid {
-  Vec<Dim> origin = Vec<Dim>::Zero(); ///< position of node (0, 0[, 0]) [m]
-  Vec<Dim> cell = Vec<Dim>::Ones();   ///< cell size h [m]
+  Vec<Dim> origin = Vec<Dim>::Zero();  ///< position of node (0, 0[, 0]) [m]
+  Vec<Dim> cell = Vec<Dim>::Ones();    ///< cell size h [m]
   Vec<Dim> stretch = Vec<Dim>::Ones(); ///< h over its initial value, for a grid that follows a platen [-]
   Counts<Dim> nodes{};                 ///< nodes along each axis
 

@@ -8,9 +8,9 @@ namespace riedel {
 /// What the points add up at a node; one cache line.
 template <int Dim>
 struct alignas(64) NodeSums {
-  double mass = 0.0;                         ///< m_i [kg, or kg/m in plane strain]
-  Vec<Dim> momentum = Vec<Dim>::Zero();      ///< (mv)_i
-  Vec<Dim> force = Vec<Dim>::Zero();         ///< f_i, external and internal [N or N/m]
+  double mass = 0.0;                    ///< m_i [kg, or kg/m in plane strain]
+  Vec<Dim> momentum = Vec<Dim>::Zero(); ///< (mv)_i
+  Vec<Dim> force = Vec<Dim>::Zero();    ///< f_i, external and internal [N or N/m]
 };
 
 /// What a node tells the points.

@@ -13,17 +13,17 @@ template <int Dim>
 struct Points {
   Columns position{Dim};                   ///< x_p [m]
   Columns velocity{Dim};                   ///< v_p [m/s]
-  Columns mass{1};                            ///< m_p [kg or kg/m]
-  Columns volume{1};                          ///< V_p [m³ or m²]
-  Columns initial_volume{1};                  ///< V_p at the start
+  Columns mass{1};                         ///< m_p [kg or kg/m]
+  Columns volume{1};                       ///< V_p [m³ or m²]
+  Columns initial_volume{1};               ///< V_p at the start
   Columns half_size{Dim};                  ///< half edges of the point's domain at the start, along the axes [m]
   Columns deformation_gradient{Dim * Dim}; ///< F_p [-]
   Columns velocity_gradient{Dim * Dim};    ///< L_p = ∂v/∂x [1/s]
   Columns stress{6};                       ///< Cauchy stress, tension positive, Mandel components [Pa]
   Columns state{0};                        ///< the law's state variables, in the order it declares them
-  Columns rate_norm{1};                       ///< ‖D‖ [1/s]
-  Columns averaged{1};                        ///< non-local average of the scalar the law names
-  Columns shear_strain{1};                    ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
+  Columns rate_norm{1};                    ///< ‖D‖ [1/s]
+  Columns averaged{1};                     ///< non-local average of the scalar the law names
+  Columns shear_strain{1};                 ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
   std::vector<Index> id;                   ///< number of the point at the start, kept when points are sorted
   std::vector<Index> place;                ///< where the point of a given id stands now: id[place[i]] = i
 

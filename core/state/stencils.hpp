@@ -10,13 +10,13 @@ namespace riedel {
 /// more than one entry of a point.
 template <int Dim>
 struct StencilGroup {
-  int count = 0;                   ///< entries in use
-  Index lowest_row = 0;            ///< least and greatest index along the last axis of any node named here
+  int count = 0;        ///< entries in use
+  Index lowest_row = 0; ///< least and greatest index along the last axis of any node named here
   Index highest_row = 0;
   std::array<bool, pack_size> lost{}; ///< this lane's support leaves the grid; its weights are zero
-  Index* node = nullptr;           ///< [count][8]
-  double* value = nullptr;         ///< N_ip [-], [count][8]
-  double* slope = nullptr;         ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+  Index* node = nullptr;              ///< [count][8]
+  double* value = nullptr;            ///< N_ip [-], [count][8]
+  double* slope = nullptr;            ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
 
   void set_value(int entry, const Pack& N) { N.store(value + entry * pack_size); }
   void set_slope(int entry, int axis, const Pack& dN) { dN.store(slope + (entry * Dim + axis) * pack_size); }
@@ -25,7 +25,8 @@ struct StencilGroup {
   void drop_lost_lanes() {
     for (std::size_t k = 0; k < pack_size; ++k) {
       if (!lost[k]) continue;
-      for (std::size_t i = k; i < static_cast<std::size_t>(count * pack_size); i += pack_size) node[i] = 0, value[i] = 0;
+      for (std::size_t i = k; i < static_cast<std::size_t>(count * pack_size); i += pack_size)
+        node[i] = 0, value[i] = 0;
       for (std::size_t i = k; i < static_cast<std::size_t>(count * Dim * pack_size); i += pack_size) slope[i] = 0;
     }
   }

@@ -10,9 +10,9 @@ namespace riedel {
 template <int Dim>
 struct NodeCondition {
   std::string name;
-  Counts<Dim> first{}, last{};                    ///< corners of the box of nodes, both included
-  int axis = 0;                                   ///< the component held
-  std::function<double(double time)> velocity;    ///< [m/s]
+  Counts<Dim> first{}, last{};                 ///< corners of the box of nodes, both included
+  int axis = 0;                                ///< the component held
+  std::function<double(double time)> velocity; ///< [m/s]
 };
 
 /// @return speed ramped smoothly from zero to `speed` over `ramp_time`

@@ -26,7 +26,7 @@ struct MovingGrid {
 /// A pressure carried by points on a surface: f_p = −pressure J F⁻ᵀ A_p.
 template <int Dim>
 struct SurfacePressure {
-  double pressure = 0.0;              ///< [Pa], pressing when positive
+  double pressure = 0.0; ///< [Pa], pressing when positive
   std::size_t body = 0;
   std::vector<Vec<Dim>> initial_area; ///< outward, by point id; zero off the surface [m² or m]
 };
@@ -37,12 +37,12 @@ struct Model {
   StepFunction<Dim> step = nullptr;
   std::vector<NodeCondition<Dim>> conditions;
   std::optional<MovingGrid> moving_grid;
-  Vec<Dim> gravity = Vec<Dim>::Zero();     ///< [m/s²]
-  double confining_pressure = 0.0;         ///< p of the virtual stress −p I that acts outside the bodies [Pa]
+  Vec<Dim> gravity = Vec<Dim>::Zero(); ///< [m/s²]
+  double confining_pressure = 0.0;     ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfacePressure<Dim>> surface_pressures;
-  double flip = 0.99;                      ///< share of FLIP in the velocity update, the rest is PIC [-]
-  double cfl = 0.5;                        ///< share of the stable time step taken [-]
-  double fixed_time_step = 0.0;            ///< [s]; 0: from the law's wave speed
+  double flip = 0.99;           ///< share of FLIP in the velocity update, the rest is PIC [-]
+  double cfl = 0.5;             ///< share of the stable time step taken [-]
+  double fixed_time_step = 0.0; ///< [s]; 0: from the law's wave speed
 };
 
 } // namespace riedel

@@ -53,18 +53,18 @@ struct StressShare {
 
 template <int Dim>
 struct State {
-  double time = 0.0;      ///< [s]
+  double time = 0.0; ///< [s]
   std::int64_t step = 0;
   Grid<Dim> grid;
   Nodes<Dim> nodes;
   std::vector<Body<Dim>> bodies;
   std::vector<RigidBody<Dim>> rigid_bodies;
-  std::vector<HeldNodes> held;  ///< one per node condition, then one per rigid body
+  std::vector<HeldNodes> held; ///< one per node condition, then one per rigid body
 
-  double boundary_work = 0.0;   ///< done by driven boundaries since the start [J or J/m]
-  double load_work = 0.0;       ///< done by surface tractions since the start [J or J/m]
-  double internal_work = 0.0;   ///< ∫ σ:D dV dt since the start [J or J/m]
-  MaterialReport report;        ///< summed since the start
+  double boundary_work = 0.0; ///< done by driven boundaries since the start [J or J/m]
+  double load_work = 0.0;     ///< done by surface tractions since the start [J or J/m]
+  double internal_work = 0.0; ///< ∫ σ:D dV dt since the start [J or J/m]
+  MaterialReport report;      ///< summed since the start
 
   std::vector<StressShare> shares; ///< working space
 };

@@ -68,7 +68,8 @@ void rotate_block(Body<2>& body, Range block, double dt) {
   const Points<2>& points = body.points;
   for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
     for (Index p = block.begin; p < block.end; p += pack_size) { // columns are padded to whole packs
-      const Pack w = Pack(0.5) * (Pack::load(points.velocity_gradient[1] + p) - Pack::load(points.velocity_gradient[2] + p));
+      const Pack w =
+          Pack(0.5) * (Pack::load(points.velocity_gradient[1] + p) - Pack::load(points.velocity_gradient[2] + p));
       Sym<Pack> a = Sym<Pack>::zero();
       for (const int c : {0, 1, 3}) a.m[c] = Pack::load(tensor[c] + p);
       rotate_in_plane(a, w, dt);
@@ -104,8 +105,8 @@ template <int Dim>
   std::string where;
   for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(body.points.position[a][p]);
   throw RunError("the law failed at " + std::to_string(report.failures) + " point(s) of '" + body.name +
-                 "', first at point " + std::to_string(body.points.id[p]) + " at (" + where + ") m: " +
-                 std::string(report.reason) + "; step " + std::to_string(state.step) + ", time " +
+                 "', first at point " + std::to_string(body.points.id[p]) + " at (" + where +
+                 ") m: " + std::string(report.reason) + "; step " + std::to_string(state.step) + ", time " +
                  exact_text(state.time) + " s");
 }
 

@@ -5,8 +5,8 @@
 
 namespace riedel {
 
-/// Averages the scalar that the law names, rotates stress and tensor state with the material, and lets the law integrate
-/// the step. Throws RunError naming the first point at which the law fails.
+/// Averages the scalar that the law names, rotates stress and tensor state with the material, and lets the law
+/// integrate the step. Throws RunError naming the first point at which the law fails.
 template <int Dim>
 void update_stress(State<Dim>& state, double dt);
 

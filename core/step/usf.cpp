@@ -8,7 +8,7 @@ namespace riedel {
 
 template <int Dim>
 void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
-  map_mass_and_momentum(state);           // m_i, (mv)_i, v_i
+  map_mass_and_momentum(state); // m_i, (mv)_i, v_i
   hold_velocities(state, state.time);
   update_kinematics(state, dt);           // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   update_stress(state, dt);               // d*, rotation, law

@@ -95,7 +95,8 @@ TEST(GudehusBauer, IsIsotropic) {
 
 TEST(GudehusBauer, TakesTheAveragedNormInTheNTermAlone) {
   const Sym<double> sigma = -5e4 * diagonal(2, 1, 1.4), D = diagonal(-1, 0.3, 0);
-  const auto local = karlsruhe().rate<double>(sigma, {0.6}, D, norm(D)), none = karlsruhe().rate<double>(sigma, {0.6}, D, 0.0),
+  const auto local = karlsruhe().rate<double>(sigma, {0.6}, D, norm(D)),
+             none = karlsruhe().rate<double>(sigma, {0.6}, D, 0.0),
              twice = karlsruhe().rate<double>(sigma, {0.6}, D, 2 * norm(D));
   EXPECT_LT(norm((twice.stress - none.stress) - 2.0 * (local.stress - none.stress)), 1e-9 * norm(local.stress));
   EXPECT_GT(norm(local.stress - none.stress), 0.1 * norm(local.stress));

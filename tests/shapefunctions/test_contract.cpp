@@ -20,7 +20,8 @@ struct Cloud {
     return c;
   }
 
-  Cloud(const std::string& name, double share_of_cell, double deformation, Index count = 203) : shape(scheme<Dim>(name)) {
+  Cloud(const std::string& name, double share_of_cell, double deformation, Index count = 203)
+      : shape(scheme<Dim>(name)) {
     grid.cell[0] = 0.4; // cells need not be square
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -32,8 +33,7 @@ struct Cloud {
         points.position[a][p] = snapped * grid.cell[a];
         points.half_size[a][p] = share_of_cell * grid.cell[a];
       }
-      for (int c = 0; c < Dim * Dim; ++c)
-        points.deformation_gradient[c][p] += deformation * (2.0 * unit(random) - 1.0);
+      for (int c = 0; c < Dim * Dim; ++c) points.deformation_gradient[c][p] += deformation * (2.0 * unit(random) - 1.0);
     }
     stencils.resize(count, shape->max_nodes());
     shape->evaluate(grid, points, {0, count}, stencils);
@@ -58,7 +58,8 @@ void weights_sum_to_one(const std::string& name) {
   const Cloud<Dim> cloud(name, 0.5, 0.3);
   for (Index p = 0; p < cloud.points.size(); ++p) {
     EXPECT_NEAR(cloud.sum(p, 0.0, [](double N, auto&, auto) { return N; }), 1.0, 1e-14);
-    const Vec<Dim> slopes = cloud.sum(p, Vec<Dim>(Vec<Dim>::Zero()), [](double, const Vec<Dim>& dN, auto) { return dN; });
+    const Vec<Dim> slopes =
+        cloud.sum(p, Vec<Dim>(Vec<Dim>::Zero()), [](double, const Vec<Dim>& dN, auto) { return dN; });
     EXPECT_LT(slopes.norm(), 1e-12);
   }
 }
@@ -71,18 +72,18 @@ void linear_fields_are_exact(const std::string& name) {
                                  [](double N, auto&, const Vec<Dim>& x_i) { return Vec<Dim>(N * x_i); });
     EXPECT_LT((x - cloud.points.position_of(p)).norm(), 1e-14) << "point " << p;
     const Mat<Dim> gradient =
-        cloud.sum(p, Mat<Dim>(Mat<Dim>::Zero()), [](double, const Vec<Dim>& dN, const Vec<Dim>& x_i) {
-          return Mat<Dim>(x_i * dN.transpose());
-        });
+        cloud.sum(p, Mat<Dim>(Mat<Dim>::Zero()),
+                  [](double, const Vec<Dim>& dN, const Vec<Dim>& x_i) { return Mat<Dim>(x_i * dN.transpose()); });
     EXPECT_LT((gradient - Mat<Dim>::Identity()).norm(), 1e-12) << "point " << p;
   }
 }
 
-/// With the whole domain inside one cell, where hats are multilinear, ∇N is the derivative of N for any scheme.
+/// With the whole domain inside one cell, where hats are multilinear, ∇N is the derivative of N for any scheme; in
+/// three dimensions a slanted domain sees the hats' cubic term, so there the domains are upright.
 template <int Dim>
 void slopes_match_difference_quotients(const std::string& name) {
   constexpr double step = 1e-5;
-  Cloud<Dim> cloud(name, 0.1, 0.3);
+  Cloud<Dim> cloud(name, 0.1, Dim == 2 ? 0.3 : 0.0);
   for (Index p = 0; p < cloud.points.size(); ++p)
     for (int a = 0; a < Dim; ++a) {
       const double place = cloud.points.position[a][p] / cloud.grid.cell[a];

@@ -74,8 +74,8 @@ TEST(Cpgimp, FollowsTheStretch) {
   const auto w = weights<2>("cpgimp", {1.25, 2.0}, 0.5, F); // box from 0.5 to 2.0: reaches four nodes
   const Grid<2> grid = grid_of<2>({4, 4}, 1.0, 4);
   const double left = w[static_cast<std::size_t>(grid.node({4, 6}))][0]; // node at x = 0, y = 2
-  const double alone = (0.5 * 0.5 / 2) / 1.5;                            // ∫ of the hat at 0 over [0.5, 1], over the width
-  const double in_y = 1.0 - 0.35 / 2;                                    // mean of 1 − |s| over [−0.35, 0.35]
+  const double alone = (0.5 * 0.5 / 2) / 1.5; // ∫ of the hat at 0 over [0.5, 1], over the width
+  const double in_y = 1.0 - 0.35 / 2;         // mean of 1 − |s| over [−0.35, 0.35]
   EXPECT_NEAR(left, alone * in_y, 1e-14);
 }
 

@@ -27,7 +27,9 @@ inline Table read_csv(const std::string& path) {
   return table;
 }
 
-inline Table reference(const std::string& name) { return read_csv(std::string(SOURCE_DIR) + "/tests/reference/" + name); }
+inline Table reference(const std::string& name) {
+  return read_csv(std::string(SOURCE_DIR) + "/tests/reference/" + name);
+}
 
 /// y at x by linear interpolation; x must rise.
 inline double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
