@@ -40,6 +40,9 @@ BandSamples select(const BandSamples& samples, const Keep& keep) {
   return kept;
 }
 
+/// Standard deviation over median absolute deviation, of a normal distribution.
+constexpr double normal_deviation = 1.4826;
+
 /// How much a point counts for a band: V (e − e0) [m²].
 inline double dilation(const BandSample& s) { return s.volume * s.rise; }
 

@@ -19,7 +19,7 @@ BandSamples collect(const BandFields& f) {
   for (std::size_t p = 0; p < f.x.size(); ++p) {
     const BandSample s{{f.x[p], f.y[p]}, f.volume[p], f.void_ratio[p], f.void_ratio[p] - f.initial_void_ratio[p],
                        f.rotation[p],    f.shear[p]};
-    if (std::isfinite(s.x.sum() + s.volume + s.rise + s.rotation + s.shear)) samples.push_back(s);
+    if (std::isfinite(s.x.sum() + s.volume + s.rise + s.rotation + s.shear) && s.volume > 0.0) samples.push_back(s);
   }
   const double rise = median(samples, [](const BandSample& s) { return s.rise; });
   const double rotation = median(samples, [](const BandSample& s) { return s.rotation; });
@@ -32,10 +32,9 @@ BandSamples collect(const BandFields& f) {
 
 /// What dilates by more than three times the usual deviation belongs to a band, to which by the sense of its rotation.
 void assign_to_bands(BandSamples& samples) {
-  constexpr double sigma_over_deviation = 1.4826; // standard over median absolute deviation of a normal distribution
   const double deviation = median(samples, [](const BandSample& s) { return std::abs(s.rise); });
   for (BandSample& s : samples)
-    if (s.rise > 3.0 * sigma_over_deviation * deviation) s.band = (s.rotation > 0.0) - (s.rotation < 0.0);
+    if (s.rise > 3.0 * normal_deviation * deviation) s.band = (s.rotation > 0.0) - (s.rotation < 0.0);
 }
 
 double localisation_ratio(const BandSamples& samples) {
