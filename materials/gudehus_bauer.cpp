@@ -58,8 +58,9 @@ Survey GudehusBauer::survey(const MaterialBatch& batch) const {
     const Factors<double> f = factors(P, e);
     const Sym<double> s = sigma / trace(sigma), s_dev = deviator(s);
     const double a = a1(s_dev);
-    // σ̂:nn ≤ 1/3 + √(2/3) ‖σ̂*‖ for any direction n; unloading adds |N_nn| to the loading stiffness.
-    const double s_nn = 1.0 / 3.0 + std::sqrt(2.0 / 3.0) * norm(s_dev);
+    // The greatest σ̂:nn is the greatest principal value; unloading along n adds |N_nn| to the loading stiffness.
+    const double lode = std::acos(-cos_3_lode(s_dev)) / 3.0;
+    const double s_nn = 1.0 / 3.0 + std::sqrt(2.0 / 3.0) * norm(s_dev) * std::cos(lode);
     const double stiffness = f.f_s * (a * a + s_nn * s_nn + f.f_d * a * (2.0 * s_nn - 1.0 / 3.0));
     fastest = std::max(fastest, stiffness * (1.0 + e) / grain_density_);
     answer.out_of_bounds += e < f.e_d || e > f.e_i;

@@ -45,10 +45,11 @@ private:
 
 template <class Real>
 auto GudehusBauer::factors(Real P, Real e) const -> Factors<Real> {
-  const Real shrink = exp(-pow(P / Real(h_s_), Real(n_)));                                          // (A10)
-  const Real e_i = Real(e_i0_) * shrink, e_d = Real(e_d0_) * shrink, e_c = Real(e_c0_) * shrink;    // (A10)
-  const Real f_s = Real(h_s_ / (n_ * h_i_)) * pow(e_i / e, Real(beta_)) * (Real(1.0) + e_i) / e_i * // (A8)
-                   pow(P / Real(h_s_), Real(1.0 - n_));
+  const Real pressure = P / Real(h_s_), power_n = pow(pressure, Real(n_));
+  const Real shrink = exp(-power_n);                                                             // (A10)
+  const Real e_i = Real(e_i0_) * shrink, e_d = Real(e_d0_) * shrink, e_c = Real(e_c0_) * shrink; // (A10)
+  const Real f_s = Real(h_s_ / (n_ * h_i_)) * pow(e_i / e, Real(beta_)) * (Real(1.0) + e_i) / e_i *
+                   (pressure / power_n);                                       // (A8), (P/h_s)^{1−n}
   const Real f_d = pow(max((e - e_d) / (e_c - e_d), Real(0.0)), Real(alpha_)); // (A8)
   return {.f_s = f_s, .f_d = f_d, .e_d = e_d, .e_i = e_i};
 }
