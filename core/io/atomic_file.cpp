@@ -16,8 +16,10 @@ namespace {
 }
 } // namespace
 
-OutputFile::OutputFile(std::filesystem::path path)
-    : path_(std::move(path)), descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+OutputFile::OutputFile(std::filesystem::path path) : OutputFile(path, path) {}
+
+OutputFile::OutputFile(const std::filesystem::path& path, std::filesystem::path called)
+    : called_(std::move(called)), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) fail();
 }
 
@@ -25,15 +27,21 @@ OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void OutputFile::fail() const { throw_unwritable(path_, errno); }
+void OutputFile::fail() const { throw_unwritable(called_, errno); }
 
-void OutputFile::write(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor_, text.data(), text.size());
+void OutputFile::write(std::string_view bytes) {
+  const auto all = static_cast<std::int64_t>(bytes.size());
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail();
-    text.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0) {
+      const int reason = errno;
+      [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size_); // devices cannot
+      throw_unwritable(called_, reason);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
   }
+  size_ += all;
 }
 
 void OutputFile::flush_to_disk() {
@@ -44,11 +52,12 @@ void OutputFile::close() {
   if (::close(std::exchange(descriptor_, -1)) != 0) fail();
 }
 
-void write_atomically(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path draft = path.string() + ".part";
+void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  std::filesystem::path draft = path;
+  draft += ".part";
   try {
-    OutputFile file(draft);
-    file.write(text);
+    OutputFile file(draft, path);
+    file.write(bytes);
     file.flush_to_disk();
     file.close();
     std::filesystem::rename(draft, path);

@@ -94,8 +94,15 @@ std::string unknown_key_text(const std::string& name, const Keys& keys) {
   }
   const std::string hint = did_you_mean(name, names);
   if (!hint.empty()) return "unknown key" + hint;
-  if (section.empty() || beside.empty()) return "unknown key; 'riedel check --reference' lists the known ones";
+  if (section.empty() || beside.empty()) return "unknown key; 'riedel check --help' lists the known ones";
   return "unknown key; [" + section.substr(0, section.size() - 1) + "] takes " + beside;
+}
+
+std::string section_text(const std::string& name, const Keys& keys) {
+  std::string inside;
+  for (const Key& key : keys)
+    if (key.name.starts_with(name + ".")) inside += (inside.empty() ? "" : ", ") + key.name;
+  return "is a section, not a key; its keys are " + inside;
 }
 
 bool is_section(const std::string& name, const Keys& keys) {
@@ -172,7 +179,7 @@ CheckedValues CaseFile::check(const Keys& keys) const {
       else if (!is_section(given.name, keys))
         throw InputError(unknown_key_text(given.name, keys));
       else if (given.kind != Given::Kind::empty_section)
-        throw InputError("is a section, not a key");
+        throw InputError(section_text(given.name, keys));
     } catch (const InputError& error) { checked.errors.push_back({{given.name}, error.what()}); }
   }
   return checked;

@@ -1,6 +1,7 @@
 #include "core/io/given.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/case_text.hpp"
 #include "core/io/suggestion.hpp"
 #include "core/io/units.hpp"
 
@@ -70,7 +71,11 @@ Value list_from(const Given& given, const Key& key, Read read) {
   if (given.items.size() != length)
     throw InputError("has " + std::to_string(given.items.size()) + " entries instead of " + std::to_string(length));
   std::vector<Number> numbers;
-  for (const Scalar& item : given.items) numbers.push_back(read(item, key));
+  try {
+    for (const Scalar& item : given.items) numbers.push_back(read(item, key));
+  } catch (const InputError& problem) {
+    throw InputError("at place " + std::to_string(numbers.size() + 1) + " " + problem.what());
+  }
   return numbers;
 }
 
@@ -92,9 +97,11 @@ Value convert_plainly(const Given& given, const Key& key) {
 
 std::string wanted(const Key& key) {
   if (const auto* list = std::get_if<std::vector<double>>(&key.default_value))
-    return "a list of " + std::to_string(list->size()) + ", each " + number_wanted(key, "a number");
+    return "a list of " + std::to_string(list->size()) + ", each " + number_wanted(key, "a number") + ", such as " +
+           toml_text(key.default_value);
   if (const auto* list = std::get_if<std::vector<std::int64_t>>(&key.default_value))
-    return "a list of " + std::to_string(list->size()) + ", each an integer" + range_text(key.bounds);
+    return "a list of " + std::to_string(list->size()) + ", each an integer" + range_text(key.bounds) + ", such as " +
+           toml_text(key.default_value);
   if (std::holds_alternative<std::int64_t>(key.default_value)) return "an integer" + range_text(key.bounds);
   if (std::holds_alternative<bool>(key.default_value)) return "true or false";
   if (!key.takes_number()) return key.choices.empty() ? "any text" : joined(key.choices);

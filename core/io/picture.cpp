@@ -1,9 +1,9 @@
 #include "core/io/picture.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
 #include "core/io/domain_raster.hpp"
 #include "core/io/raster_canvas.hpp"
-#include "core/io/replace_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -210,7 +210,7 @@ void write_field_pictures(const std::filesystem::path& path, const std::vector<P
   }
   draw_color_bar(canvas, l, options.label);
   canvas.text({l.width / 2, 2.1 * l.font}, options.title, {1.25 * l.font, ink, Anchor::middle});
-  replace_file(path, canvas.encode());
+  write_atomically(path, canvas.encode());
 }
 
 } // namespace riedel

@@ -1,10 +1,10 @@
 #include "core/io/plot.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
 #include "core/io/clip.hpp"
 #include "core/io/free_place.hpp"
 #include "core/io/raster_canvas.hpp"
-#include "core/io/replace_file.hpp"
 
 #include <array>
 #include <cmath>
@@ -218,13 +218,13 @@ void draw(Canvas& canvas, const Plot& plot) {
 void write_svg(const std::filesystem::path& path, const Plot& plot) {
   const auto canvas = make_svg_canvas(plot.width, plot.height);
   draw(*canvas, plot);
-  replace_file(path, canvas->encode());
+  write_atomically(path, canvas->encode());
 }
 
 void write_png(const std::filesystem::path& path, const Plot& plot) {
   RasterCanvas canvas(plot.width, plot.height, 2.5);
   draw(canvas, plot);
-  replace_file(path, canvas.encode());
+  write_atomically(path, canvas.encode());
 }
 
 } // namespace riedel

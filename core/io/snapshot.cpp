@@ -38,6 +38,17 @@ double tensor_component(const Columns& mandel, int first, Index p, int c) {
   return c < 3 ? value : value * std::numbers::sqrt2 / 2;
 }
 
+/// The unit of the scalar that a body averages: ‖D‖, or one of its law's state variables.
+template <int Dim>
+std::string averaged_unit(const Body<Dim>& body) {
+  int column = 0;
+  for (const StateVariable& variable : body.material->states()) {
+    if (column == body.averaged_state) return variable.unit;
+    column += variable.components;
+  }
+  return "1/s";
+}
+
 template <int Dim>
 double polar_rotation(const Mat<Dim>& F) {
   return std::atan2(F(1, 0) - F(0, 1), F(0, 0) + F(1, 1)) * 180.0 / std::numbers::pi;
@@ -63,7 +74,7 @@ void add_fields(const Body<Dim>& body, std::vector<Field>& fields) {
   list.add("mean_pressure", 1, "Pa",
            [&](Index p, int) { return -(points.stress[0][p] + points.stress[1][p] + points.stress[2][p]) / 3.0; });
   list.add("rate_norm", "1/s", points.rate_norm);
-  if (body.averager) list.add("averaged", "-", points.averaged);
+  if (body.averager) list.add("averaged", averaged_unit(body), points.averaged);
   list.add("velocity", 3, "m/s", [&](Index p, int c) { return c < Dim ? points.velocity[c][p] : 0.0; });
   list.add("volume", Dim == 2 ? "m2" : "m3", points.volume);
   list.add("mass", Dim == 2 ? "kg/m" : "kg", points.mass);

@@ -1,7 +1,7 @@
 #include "core/io/vtk_writer.hpp"
 
 #include "core/base/error.hpp"
-#include "core/io/replace_file.hpp"
+#include "core/io/atomic_file.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -117,6 +117,12 @@ std::string digits_of(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+void make_directory(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw InputError("cannot create the folder " + path.string() + ": " + error.message());
+}
+
 } // namespace
 
 SeriesWriter::SeriesWriter(std::filesystem::path directory) : directory_(std::move(directory)) {
@@ -129,8 +135,8 @@ void SeriesWriter::write(const Frame& frame) {
   const bool flat = frame.dimension == 2, with_domains = !frame.corners.empty();
   const std::string points_file = file_name("points", points_.size(), ".vtp");
   const std::string domains_file = file_name("domains", points_.size(), flat ? ".vtp" : ".vtu");
-  replace_file(directory_ / points_file, encode_points(frame));
-  if (with_domains) replace_file(directory_ / domains_file, flat ? encode_quads(frame) : encode_hexahedra(frame));
+  write_atomically(directory_ / points_file, encode_points(frame));
+  if (with_domains) write_atomically(directory_ / domains_file, flat ? encode_quads(frame) : encode_hexahedra(frame));
 
   // Only what stands on the disk is listed.
   points_.push_back({frame.time, points_file});
@@ -143,7 +149,7 @@ void SeriesWriter::write_index(const std::string& name, const std::vector<Entry>
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (const Entry& entry : entries)
     text += "    <DataSet timestep=\"" + digits_of(entry.time) + "\" part=\"0\" file=\"" + entry.file + "\"/>\n";
-  replace_file(directory_ / name, text + "  </Collection>\n</VTKFile>\n");
+  write_atomically(directory_ / name, text + "  </Collection>\n</VTKFile>\n");
 }
 
 } // namespace riedel

@@ -58,6 +58,26 @@ TEST(AtomicFile, KeepsTheOldTextWhenTheDiskIsFull) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
+TEST(AtomicFile, LetsNoFullDeviceTakeTheName) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  const TemporaryFolder folder;
+  const auto path = folder / "summary.json";
+  write_atomically(path, "old");
+  std::filesystem::create_symlink("/dev/full", path.string() + ".part");
+  EXPECT_THAT([&] { write_atomically(path, "new"); },
+              ThrowsMessage<RunError>("cannot write " + path.string() + ": No space left on device"));
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+  EXPECT_EQ(file_content(path), "old");
+}
+
+TEST(AtomicFile, KeepsEveryByte) {
+  const TemporaryFolder folder;
+  std::string bytes(70000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * 7);
+  write_atomically(folder / "picture.png", bytes);
+  EXPECT_EQ(file_content(folder / "picture.png"), bytes);
+}
+
 TEST(AtomicFile, TellsWhyItCannotWrite) {
   EXPECT_THAT(
       [] { write_atomically("/no/such/folder/file", "x"); },
@@ -97,5 +117,5 @@ TEST(HistoryFile, TellsThatTheDiskIsFull) {
   history.add(std::vector{1.0});
   const FullDisk full(8);
   EXPECT_THAT([&] { history.add(std::vector{123456.0}); }, ThrowsMessage<RunError>(HasSubstr("File too large")));
-  EXPECT_EQ(file_content(path).substr(0, 7), "step\n1\n"); // what was written stays
+  EXPECT_EQ(file_content(path), "step\n1\n"); // what was written stays, and half a row is taken back
 }

@@ -2,7 +2,6 @@
 #include "core/io/clip.hpp"
 #include "core/io/free_place.hpp"
 #include "core/io/plot.hpp"
-#include "core/io/replace_file.hpp"
 #include "core/png_pixels.hpp"
 
 #include <cmath>
@@ -189,6 +188,25 @@ TEST(Clip, KeepsThePiecesInsideTheBox) {
   EXPECT_EQ(pieces[1][0].y, 10);
 }
 
+TEST(Clip, LeavesALineInsideTheBoxInOnePieceToTheBit) {
+  std::vector<Spot> line;
+  for (int i = 0; i < 200; ++i) line.push_back({0.1 * i, 10 + 7 * std::sin(0.37 * i)});
+  const auto pieces = clip(line, {0, 0, 20, 20});
+  ASSERT_EQ(pieces.size(), 1);
+  ASSERT_EQ(pieces[0].size(), line.size());
+  for (std::size_t i = 0; i < line.size(); ++i) EXPECT_TRUE(pieces[0][i].x == line[i].x && pieces[0][i].y == line[i].y);
+}
+
+TEST(Clip, CutsNoSpotThatLiesOutsideTheBox) {
+  const Box box{0.1, 0.1, 0.7, 0.7};
+  for (int i = 0; i < 200; ++i) {
+    const double out = 1 + 0.013 * i, in = 0.2 + 0.002 * i;
+    const auto part = clip(Spot{in, 0.3}, Spot{out, 0.3 + 0.001 * i}, box);
+    ASSERT_TRUE(part);
+    EXPECT_LE(part->second.x, box.right);
+  }
+}
+
 TEST(FreePlace, AvoidsCurvesAndBoxes) {
   const Box area{0, 0, 100, 100};
   const auto top_right = free_place(area, 20, 10, 2, {});
@@ -200,18 +218,6 @@ TEST(FreePlace, AvoidsCurvesAndBoxes) {
   EXPECT_TRUE(elsewhere->top > 5 || elsewhere->right < 50);
   EXPECT_TRUE(elsewhere->top > 30 || elsewhere->left > 30);
   EXPECT_FALSE(free_place(area, 98, 10, 2, {}));
-}
-
-TEST(ReplaceFile, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
-  const fs::path path = fs::path(testing::TempDir()) / "riedel_replace_file.txt";
-  replace_file(path, "old");
-  fs::create_symlink("/dev/full", path.string() + ".part");
-  EXPECT_THROW(replace_file(path, "new"), RunError);
-  ASSERT_FALSE(fs::is_symlink(path)) << "the full device took the name";
-  std::ifstream in(path);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "old");
-  fs::remove(path);
 }
 
 } // namespace
