@@ -16,7 +16,7 @@ inline Range block_range(Index block, Index points) {
 /// Calls `body(i)` for i in [0, count). The body must not throw.
 template <class Body>
 void parallel_for(Index count, const Body& body) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count > 1)
   for (Index i = 0; i < count; ++i) body(i);
 }
 

@@ -9,7 +9,7 @@
 namespace riedel {
 
 namespace {
-std::string short_text(double x) {
+std::string bound_text(double x) {
   std::string text = exact_text(x);
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   return text;
@@ -24,9 +24,9 @@ bool Bounds::contain(double x) const {
 std::string Bounds::text() const {
   const bool below = std::isfinite(lower), above = std::isfinite(upper);
   if (below && above)
-    return (lower_included ? "[" : "(") + short_text(lower) + ", " + short_text(upper) + (upper_included ? "]" : ")");
-  if (below) return (lower_included ? "≥ " : "> ") + short_text(lower);
-  if (above) return (upper_included ? "≤ " : "< ") + short_text(upper);
+    return (lower_included ? "[" : "(") + bound_text(lower) + ", " + bound_text(upper) + (upper_included ? "]" : ")");
+  if (below) return (lower_included ? "≥ " : "> ") + bound_text(lower);
+  if (above) return (upper_included ? "≤ " : "< ") + bound_text(upper);
   return "any number";
 }
 
@@ -74,9 +74,18 @@ Values Values::section(std::string_view section) const {
   return part;
 }
 
+std::string short_text(double x, int digits) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::general, digits);
+  return {buffer.data(), end.ptr};
+}
+
 std::string exact_text(double x) {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
+  const double size = std::abs(x);
+  const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e7); // 100000, not 1e+05
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x,
+                                 plain ? std::chars_format::fixed : std::chars_format::scientific);
   std::string text(buffer.data(), end.ptr);
   if (std::isfinite(x) && text.find_first_of(".e") == std::string::npos) text += ".0"; // a TOML float, not an integer
   return text;
@@ -87,7 +96,7 @@ void check_bounds(const Keys& keys, const Values& values, std::string_view owner
     if (!std::holds_alternative<double>(key.default_value)) continue;
     const double x = values.number(key.name);
     if (!key.bounds.contain(x))
-      throw InputError(std::string(owner) + ": " + key.name + " = " + short_text(x) + " is out of range; allowed: " +
+      throw InputError(std::string(owner) + ": " + key.name + " = " + bound_text(x) + " is out of range; allowed: " +
                        key.bounds.text() + (key.unit.empty() || key.unit == "-" ? "" : " " + key.unit));
   }
 }

@@ -5,36 +5,72 @@
 namespace riedel {
 
 namespace {
-/// Calls use(point, force) for each point that carries pressure.
+
+/// The pressure on one point's outer face.
+template <int Dim>
+struct FaceForce {
+  Vec<Dim> position; ///< middle of the face [m]
+  Vec<Dim> force;    ///< [N or N/m]
+};
+
+/// Calls use(point, face) for each point that carries pressure.
 template <int Dim, class Use>
-void for_each_force(const State<Dim>& state, const Model<Dim>& model, const Use& use) {
+void for_each_face(const State<Dim>& state, const Model<Dim>& model, const Use& use) {
   for (const SurfacePressure<Dim>& load : model.surface_pressures) {
-    const Body<Dim>& body = state.bodies[load.body];
+    const Points<Dim>& points = state.bodies[load.body].points;
     for (std::size_t id = 0; id < load.initial_area.size(); ++id) {
-      if (load.initial_area[id].isZero()) continue;
-      const Index p = body.points.place[id];
-      const Mat<Dim> F = body.points.deformation_gradient_of(p);
-      const Vec<Dim> area = F.determinant() * F.inverse().transpose() * load.initial_area[id]; // Nanson
-      use(body, p, Vec<Dim>(-load.pressure * area));
+      const Vec<Dim>& A = load.initial_area[id];
+      if (A.isZero()) continue;
+      const Index p = points.place[id];
+      const Mat<Dim> F = points.deformation_gradient_of(p);
+      Vec<Dim> half = A.normalized();
+      for (int a = 0; a < Dim; ++a) half[a] *= points.half_size[a][p];
+      const Vec<Dim> area = F.determinant() * F.inverse().transpose() * A; // Nanson
+      use(points, p, FaceForce<Dim>{points.position_of(p) + F * half, -load.pressure * area});
     }
   }
 }
+
+/// Adds a force to the nodes of the cell that holds its place, with multilinear hats whatever the scheme: the place is
+/// on the edge of the material, where hats balance a uniform stress.
+template <int Dim>
+void add_force(State<Dim>& state, const FaceForce<Dim>& face) {
+  const Grid<Dim>& grid = state.grid;
+  const Counts<Dim> strides = grid.strides();
+  Index base = 0;
+  Vec<Dim> xi; // place in the cell, 0 to 1
+  for (int a = 0; a < Dim; ++a) {
+    const double s = (face.position[a] - grid.origin[a]) / grid.cell[a], low = std::floor(s);
+    if (!(low >= 0.0 && low + 2 <= grid.nodes[a]))
+      throw RunError("a loaded face left the grid at step " + std::to_string(state.step) + ", time " +
+                     exact_text(state.time) + " s");
+    base += static_cast<Index>(low) * strides[a];
+    xi[a] = s - low;
+  }
+  for (int n = 0; n < power(2, Dim); ++n) {
+    double N = 1.0;
+    Index node = base;
+    for (int a = 0; a < Dim; ++a) {
+      const bool upper = (n >> a) & 1;
+      N *= upper ? xi[a] : 1.0 - xi[a];
+      if (upper) node += strides[a];
+    }
+    state.nodes.sums[node].force += N * face.force;
+  }
+}
+
 } // namespace
 
 template <int Dim>
 void add_surface_pressures(State<Dim>& state, const Model<Dim>& model) {
-  for_each_force(state, model, [&](const Body<Dim>& body, Index p, const Vec<Dim>& force) {
-    const StencilGroup<Dim>& group = body.stencils.group_of(p);
-    for (int at = p % pack_size; at < group.count * pack_size; at += pack_size)
-      state.nodes.sums[group.node[at]].force += group.value[at] * force;
-  });
+  for_each_face(state, model, [&](const Points<Dim>&, Index, const FaceForce<Dim>& face) { add_force(state, face); });
 }
 
 template <int Dim>
 double surface_work(const State<Dim>& state, const Model<Dim>& model, double dt) {
   double work = 0.0;
-  for_each_force(state, model, [&](const Body<Dim>& body, Index p, const Vec<Dim>& force) {
-    work += dt * force.dot(body.points.velocity_of(p));
+  for_each_face(state, model, [&](const Points<Dim>& points, Index p, const FaceForce<Dim>& face) {
+    work += dt * face.force.dot(points.velocity_of(p));
   });
   return work;
 }

@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// f_i += Σ_p N_ip f_p with f_p = −pressure J F⁻ᵀ A_p.
+/// f_i += Σ_p N_i(x_f) f_p with f_p = −pressure J F⁻ᵀ A_p at the outer face x_f of each loaded point.
 template <int Dim>
 void add_surface_pressures(State<Dim>& state, const Model<Dim>& model);
 

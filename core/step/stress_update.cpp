@@ -37,14 +37,15 @@ struct Block {
     }
   }
 
-  [[nodiscard]] double work(const Points<Dim>& points) const {
+  /// Σ V σ:D with the stress as it is now [W or W/m]
+  [[nodiscard]] double power(const Points<Dim>& points) const {
     double sum = 0.0;
     for (Index p = range.begin, i = 0; p < range.end; ++p, ++i) {
-      double power = 0.0;
-      for (int c = 0; c < 6; ++c) power += batch.stress[c][i] * D[c][i];
-      sum += points.volume[0][p] * power;
+      double density = 0.0;
+      for (int c = 0; c < 6; ++c) density += batch.stress[c][i] * D[c][i];
+      sum += points.volume[0][p] * density;
     }
-    return sum * batch.time_step;
+    return sum;
   }
 };
 
@@ -125,9 +126,10 @@ void update_stress(State<Dim>& state, double dt) {
           block.batch.averaged = averaged ? averaged + range.begin : nullptr;
           StressShare share;
           MaterialReport report;
+          const double before = block.power(body.points);
           body.material->integrate(block.batch, report);
           share.report.add(report, range.begin);
-          share.work = block.work(body.points);
+          share.work = 0.5 * dt * (before + block.power(body.points));
           return share;
         },
         [](StressShare sum, const StressShare& share) {

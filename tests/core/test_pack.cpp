@@ -97,11 +97,16 @@ TEST(Pack, TellsWhetherAllLanesAreTrue) {
 
 TEST(Pack, HasTheFunctionsOfTheStandardLibrary) {
   constexpr double close = 1e-14;
-  expect_same("exp", 1e-6, 100, close, [](const Pack& x) { return exp(x); }, [](double x) { return std::exp(x); });
-  expect_same("log", 1e-12, 1e12, close, [](const Pack& x) { return log(x); }, [](double x) { return std::log(x); });
-  expect_same("sqrt", 1e-12, 1e12, close, [](const Pack& x) { return sqrt(x); }, [](double x) { return std::sqrt(x); });
-  expect_same("abs", 1e-12, 1e12, 0, [](const Pack& x) { return abs(x); }, [](double x) { return std::abs(x); });
-  expect_same("floor", 1e-3, 1e6, 0, [](const Pack& x) { return floor(x); }, [](double x) { return std::floor(x); });
+  expect_same(
+      "exp", 1e-6, 100, close, [](const Pack& x) { return exp(x); }, [](double x) { return std::exp(x); });
+  expect_same(
+      "log", 1e-12, 1e12, close, [](const Pack& x) { return log(x); }, [](double x) { return std::log(x); });
+  expect_same(
+      "sqrt", 1e-12, 1e12, close, [](const Pack& x) { return sqrt(x); }, [](double x) { return std::sqrt(x); });
+  expect_same(
+      "abs", 1e-12, 1e12, 0, [](const Pack& x) { return abs(x); }, [](double x) { return std::abs(x); });
+  expect_same(
+      "floor", 1e-3, 1e6, 0, [](const Pack& x) { return floor(x); }, [](double x) { return std::floor(x); });
 }
 
 /// P/h_s from 1 Pa to 10 MPa with the exponents of the laws, and powers of (e − e_d)/(e_c − e_d).

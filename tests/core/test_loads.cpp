@@ -1,0 +1,106 @@
+/// Pressure carried by points on a surface: it follows the deformed surface, whatever the order of the points.
+#include "core/step/loads.hpp"
+#include "core/step/locate.hpp"
+#include "support/problems.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace riedel::test {
+namespace {
+
+constexpr double pressure = 3e4;
+
+/// A block of points of which those on the side x = greatest carry pressure; points are numbered from the top, so that
+/// sorting changes their order.
+template <int Dim>
+struct PressedBlock {
+  State<Dim> state;
+  Model<Dim> model = model_with<Dim>("gimp");
+  Vec<Dim> area = Vec<Dim>::Zero(); ///< of the whole side at the start
+
+  PressedBlock() {
+    Counts<Dim> cells;
+    cells.fill(3);
+    state = elastic_state<Dim>(cells, 0.5, 2, 3, [](const Vec<Dim>&) { return true; });
+    Points<Dim>& points = state.bodies[0].points;
+    for (Index p = 0; p < points.size() / 2; ++p)
+      for (int a = 0; a < Dim; ++a) std::swap(points.position[a][p], points.position[a][points.size() - 1 - p]);
+    SurfacePressure<Dim> load{.pressure = pressure, .initial_area = {}};
+    load.initial_area.assign(static_cast<std::size_t>(points.size()), Vec<Dim>::Zero());
+    for (Index p = 0; p < points.size(); ++p)
+      if (points.position[0][p] > 1.3) load.initial_area[static_cast<std::size_t>(p)][0] = std::pow(0.25, Dim - 1);
+    for (const Vec<Dim>& share : load.initial_area) area += share;
+    model.surface_pressures.push_back(std::move(load));
+    prepare_points(state, model);
+    locate_points(state, model);
+  }
+  void deform(const Mat<Dim>& F) {
+    Points<Dim>& points = state.bodies[0].points;
+    for (Index p = 0; p < points.size(); ++p)
+      for (int c = 0; c < Dim * Dim; ++c) points.deformation_gradient[c][p] = F(c / Dim, c % Dim);
+  }
+  Vec<Dim> total_force() {
+    state.nodes.clear_sums();
+    add_surface_pressures(state, model);
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (const NodeSums<Dim>& node : state.nodes.sums) sum += node.force;
+    return sum;
+  }
+};
+
+TEST(SurfacePressure, PushesAgainstTheOutwardSide) {
+  PressedBlock<2> block;
+  ASSERT_NEAR(block.area[0], 1.5, 1e-14);
+  EXPECT_LT((block.total_force() - Vec<2>(-pressure * 1.5, 0.0)).norm(), 1e-9 * pressure);
+}
+
+TEST(SurfacePressure, StandsOnARotatedAndStretchedEdgeWithTheEdgesNewLength) {
+  PressedBlock<2> block;
+  const Mat<2> R = Eigen::Rotation2Dd(0.6).toRotationMatrix();
+  block.deform(R *
+               Vec<2>(0.7, 1.4).asDiagonal()); // the edge, along y, grows by 1.4; what lies behind it does not matter
+  const Vec<2> expected = -pressure * 1.5 * 1.4 * (R * Vec<2>(1.0, 0.0));
+  EXPECT_LT((block.total_force() - expected).norm(), 1e-9 * pressure);
+}
+
+TEST(SurfacePressure, StandsOnTheParallelogramThatAShearedSideBecomes) {
+  PressedBlock<3> block;
+  Mat<3> F;
+  F << 1.1, 0.3, -0.2, 0.1, 0.8, 0.25, -0.3, 0.15, 1.3;
+  block.deform(F);
+  const Vec<3> expected = -pressure * 1.5 * 1.5 * F.col(1).cross(F.col(2)); // edges along y and z
+  EXPECT_LT((block.total_force() - expected).norm(), 1e-9 * pressure);
+}
+
+TEST(SurfacePressure, ActsWhereItsPointsAre) {
+  PressedBlock<2> block;
+  block.total_force();
+  for (Index i = 0; i < block.state.nodes.size(); ++i) {
+    const bool near = block.state.grid.position(block.state.grid.index(i))[0] > 0.9; // the points lie at x = 1.375
+    EXPECT_TRUE(near || block.state.nodes.sums[i].force.isZero(0.0)) << "node " << i;
+  }
+}
+
+TEST(SurfacePressure, AddsToTheForcesThatStandThere) {
+  PressedBlock<2> block;
+  const Vec<2> once = block.total_force();
+  add_surface_pressures(block.state, block.model);
+  Vec<2> twice = Vec<2>::Zero();
+  for (const NodeSums<2>& node : block.state.nodes.sums) twice += node.force;
+  EXPECT_LT((twice - 2.0 * once).norm(), 1e-9 * pressure);
+}
+
+TEST(SurfacePressure, DoesTheWorkOfItsForceOnTheMovingSide) {
+  PressedBlock<2> block;
+  Points<2>& points = block.state.bodies[0].points;
+  for (Index p = 0; p < points.size(); ++p) {
+    const bool carries = points.position[0][p] > 1.3;
+    points.velocity[0][p] = carries ? -0.5 : 100.0; // others must not count
+    points.velocity[1][p] = 7.0;                    // along the side
+  }
+  EXPECT_NEAR(surface_work(block.state, block.model, 0.1), 0.1 * 0.5 * pressure * 1.5, 1e-9 * pressure);
+}
+
+} // namespace
+} // namespace riedel::test

@@ -1,0 +1,102 @@
+/// The number of threads changes no bit of any point's fields, whatever the search, the order of the step, the scheme
+/// and the dimension.
+#include "core/step/usf.hpp"
+#include "core/step/usl.hpp"
+#include "verification/biaxial.hpp"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace riedel::test {
+namespace {
+
+/// All fields of all points, by id, and what the run tells of forces and energies.
+template <int Dim>
+std::vector<double> everything(Simulation<Dim>& simulation) {
+  std::vector<double> all;
+  Points<Dim>& points = simulation.state().bodies[0].points;
+  for (Index id = 0; id < points.size(); ++id)
+    for (const Columns* field : points.fields())
+      for (int c = 0; c < field->components(); ++c)
+        all.push_back((*field)[c][points.place[static_cast<std::size_t>(id)]]);
+  for (const HeldNodes& held : simulation.state().held) all.push_back(held.reaction);
+  const Energies energies = simulation.energies();
+  all.insert(all.end(), {energies.kinetic, energies.internal, energies.external, simulation.time_step()});
+  return all;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+std::vector<double> after_steps(const Values& values, int threads, int steps) {
+  omp_set_num_threads(threads);
+  Simulation<2> simulation = make_biaxial(values, catalogue());
+  for (int i = 0; i < steps; ++i) simulation.step();
+  const Points<2>& points = simulation.state().bodies[0].points;
+  EXPECT_GT(points.shear_strain[0][0], 0.0) << "nothing has happened";
+  EXPECT_GT(simulation.state().bodies[0].slabs.count(), 3) << "nothing to share";
+  return everything(simulation);
+}
+
+/// The ramp is short so that all points are in motion at once.
+Values lively(const std::vector<std::string>& more) {
+  std::vector<std::string> settings{"loading.ramp_time=1e-4"};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return coarse_values(settings);
+}
+
+TEST(Threads, ChangeNoBitOfTheBiaxialTestWithEitherSearch) {
+  const std::vector<double> alone = after_steps(lively({"nonlocal.search=cgal_kd_tree"}), 1, 300);
+  for (const std::string& search : catalogue().in_2d.searches.names())
+    for (const int threads : {1, 2, 4})
+      EXPECT_TRUE(same_bits(after_steps(lively({"nonlocal.search=" + search}), threads, 300), alone))
+          << search << ", " << threads << " threads";
+}
+
+TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
+  for (const std::string order : {"musl", "usl", "usf"}) {
+    const Values values = lively({"time.order=" + order, "nonlocal.length=0.0"});
+    EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 2, 60))) << order;
+    EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 4, 60))) << order;
+  }
+}
+
+TEST(Threads, ChangeNoBitInAnyScheme) {
+  for (const std::string& name : scheme_names()) {
+    const Values values = lively({"scheme=" + name, "specimen.points_per_cell=2", "nonlocal.length=0.0"});
+    EXPECT_TRUE(same_bits(after_steps(values, 1, 40), after_steps(values, 4, 40))) << name;
+  }
+}
+
+TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
+  const Values values = lively({"loading.platen=rigid_points", "loading.lateral=points"});
+  EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 4, 60)));
+}
+
+/// A tall elastic block, wrung and stretched at the start.
+std::vector<double> wrung_block(int threads) {
+  omp_set_num_threads(threads);
+  State<3> state = elastic_state<3>({3, 3, 24}, 0.1, 1, 5, [](const Vec<3>&) { return true; });
+  Points<3>& points = state.bodies[0].points;
+  for (Index p = 0; p < points.size(); ++p) {
+    const double turn = 5.0 * points.position[2][p];
+    points.velocity[0][p] = -turn * points.position[1][p];
+    points.velocity[1][p] = turn * points.position[0][p];
+    points.velocity[2][p] = 3.0 * points.position[2][p];
+  }
+  Simulation<3> simulation(model_with<3>("cpdi"), std::move(state));
+  for (int i = 0; i < 50; ++i) simulation.step();
+  EXPECT_GT(simulation.state().bodies[0].slabs.count(), 2) << "nothing to share";
+  return everything(simulation);
+}
+
+TEST(Threads, ChangeNoBitInThreeDimensions) {
+  const std::vector<double> alone = wrung_block(1);
+  EXPECT_TRUE(same_bits(wrung_block(2), alone));
+  EXPECT_TRUE(same_bits(wrung_block(4), alone));
+}
+
+} // namespace
+} // namespace riedel::test
