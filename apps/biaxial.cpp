@@ -22,19 +22,21 @@ namespace {
 
 constexpr double quasi_static_limit = 0.05; ///< greatest kinetic over internal energy of a quasi-static run
 
-/// The warning that a fixed time step deserves, once.
+/// Watches a fixed time step: warns once when it exceeds the stable one, and remembers by how much at most.
 class TimeStepWatch {
 public:
   void look(const Simulation<2>& simulation) {
-    if (told_ || simulation.time_step() <= simulation.crossing_time()) return;
-    told_ = true;
-    print_warning("time.step = " + exact_text(simulation.time_step()) + " s is over the stable limit, " +
-                  exact_text(simulation.crossing_time()) + " s at step " + std::to_string(simulation.state().step) +
-                  ": the run may blow up");
+    const double limit = simulation.crossing_time(), share = simulation.time_step() / limit;
+    if (share > 1.0 && most_ <= 1.0)
+      print_warning("time.step = " + short_text(simulation.time_step()) + " s is over the stable limit, " +
+                    short_text(limit) + " s at step " + std::to_string(simulation.state().step) +
+                    ": the run may blow up, or be wrong without a sign");
+    most_ = std::max(most_, share);
   }
+  [[nodiscard]] double most() const { return most_; } ///< time step over the stable limit [-]
 
 private:
-  bool told_ = false;
+  double most_ = 0.0;
 };
 
 void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json summary) {
@@ -42,7 +44,7 @@ void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json s
 }
 
 nlohmann::ordered_json summary_of(const BiaxialRun& run, const Values& values, const std::string& status, double wall,
-                                  int threads) {
+                                  int threads, double step_over_limit) {
   const nlohmann::ordered_json known = run.summary();
   const double point_steps = known["points"].get<double>() * std::max(1.0, known["steps"].get<double>());
   nlohmann::ordered_json all{{"case", "biaxial"}, {"version", version()}, {"status", status}};
@@ -50,7 +52,8 @@ nlohmann::ordered_json summary_of(const BiaxialRun& run, const Values& values, c
   all["wall_s"] = wall;
   all["ns_per_point_step"] = 1e9 * wall / point_steps;
   all["threads"] = threads;
-  all["quasi_static"] = run.kinetic_over_internal() <= quasi_static_limit;
+  all["time_step_over_limit_max"] = step_over_limit;
+  all["quasi_static"] = run.kinetic_over_internal() <= quasi_static_limit && step_over_limit <= 1.0;
   all["band"] = band_json(measure_band(run.frame(), values));
   return all;
 }
@@ -75,6 +78,59 @@ void print_result(const nlohmann::ordered_json& s, const std::filesystem::path& 
   std::printf("\n");
 }
 
+/// A failed run says so in its summary, as far as that can still be written.
+void write_failure(const std::filesystem::path& folder, const RunError& failure) {
+  try {
+    write_summary(folder,
+                  {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", failure.what()}});
+  } catch (const RunError& another) { print_warning(another.what()); }
+}
+
+/// @return the greatest time step over the stable limit
+double advance(BiaxialRun& run, const Values& values, const Interrupt& interrupt) {
+  Progress progress("biaxial");
+  TimeStepWatch watch;
+  watch.look(run.simulation());
+  run.advance([&] { return static_cast<bool>(interrupt); },
+              [&](const BiaxialRow& row) {
+                watch.look(run.simulation());
+                std::array<char, 48> note{};
+                std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h,
+                              row.angle);
+                progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
+              });
+  run.finish();
+  return watch.most();
+}
+
+/// What a reader of the numbers must know before believing them.
+void warn_of_doubts(const BiaxialRun& run, double step_over_limit) {
+  if (step_over_limit > 1.0)
+    print_warning("the time step was " + short_text(step_over_limit) +
+                  " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
+  if (run.kinetic_over_internal() > quasi_static_limit)
+    print_warning("the run is not quasi-static: kinetic energy reached " + short_text(run.kinetic_over_internal()) +
+                  " of the internal one; use a smaller loading.speed");
+}
+
+/// Runs the case and leaves everything in `folder`. @return the exit code
+int run_case(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder, int threads) {
+  const Interrupt interrupt;
+  const auto start = std::chrono::steady_clock::now();
+  BiaxialRun run(values, catalogue, folder);
+  const double step_over_limit = advance(run, values, interrupt);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+
+  const nlohmann::ordered_json result =
+      summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads, step_over_limit);
+  write_summary(folder, result);
+  std::vector<std::string> pictures;
+  if (values.flag("output.plots")) pictures = draw_biaxial(run, values, folder);
+  print_result(result, folder, pictures);
+  warn_of_doubts(run, step_over_limit);
+  return interrupt ? interrupt.exit_code() : 0;
+}
+
 } // namespace
 
 int biaxial(const Arguments& arguments) {
@@ -82,48 +138,16 @@ int biaxial(const Arguments& arguments) {
   const BiaxialCase given = biaxial_case(arguments.case_file(), catalogue);
   for (const std::string& warning : given.warnings) print_warning(warning);
   const std::filesystem::path folder = arguments.out("results/biaxial");
+  const int threads = arguments.threads();
   prepare_output_folder(folder, arguments.force());
-  omp_set_num_threads(arguments.threads());
-  const Values& values = given.values;
-  write_atomically(folder / "case.toml", case_text(given.keys, values));
-
-  BiaxialRun run(values, catalogue, folder);
-  const Interrupt interrupt;
-  const auto start = std::chrono::steady_clock::now();
-  const auto summary = [&](const std::string& status) {
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    return summary_of(run, values, status, wall.count(), arguments.threads());
-  };
+  omp_set_num_threads(threads);
   try {
-    Progress progress("biaxial");
-    TimeStepWatch watch;
-    watch.look(run.simulation());
-    run.advance([&] { return static_cast<bool>(interrupt); },
-                [&](const BiaxialRow& row) {
-                  watch.look(run.simulation());
-                  std::array<char, 48> note{};
-                  std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h,
-                                row.angle);
-                  progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
-                });
-  } catch (const RunError& error) {
-    write_summary(folder, {{"case", "biaxial"},
-                           {"version", version()},
-                           {"status", "failed"},
-                           {"reason", error.what()},
-                           {"steps", run.simulation().state().step}});
+    write_atomically(folder / "case.toml", case_text(given.keys, given.values));
+    return run_case(given.values, catalogue, folder, threads);
+  } catch (const RunError& failure) {
+    write_failure(folder, failure);
     throw;
   }
-  run.finish();
-  const nlohmann::ordered_json result = summary(interrupt ? "interrupted" : "done");
-  write_summary(folder, result);
-  std::vector<std::string> pictures;
-  if (values.flag("output.plots")) pictures = draw_biaxial(run, values, folder);
-  print_result(result, folder, pictures);
-  if (!result["quasi_static"].get<bool>())
-    print_warning("the run is not quasi-static: kinetic energy reached " + exact_text(run.kinetic_over_internal()) +
-                  " of the internal one; use a smaller loading.speed");
-  return interrupt ? interrupt.exit_code() : 0;
 }
 
 } // namespace riedel

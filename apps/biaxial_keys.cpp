@@ -55,11 +55,11 @@ Keys method_keys(const Catalogue& catalogue) {
        "musl",
        "",
        any,
-       "stress updated last from re-mapped velocities, last, or first",
+       "when stresses are updated: last, from re-mapped velocities; last; or first",
        {"musl", "usl", "usf"}},
       {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
       {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
-      {"time.flip", 0.99, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
+      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
       {"output.every_strain", 0.0005, "-", within(0, 1), "vertical strain between rows of history.csv"},
       {"output.frames_every_strain", 0.005, "-", within(0, 1), "vertical strain between frames for ParaView"},
       {"output.vtk", true, "", any, "write points.pvd and domains.pvd"},
@@ -97,7 +97,8 @@ bool concerns(const Finding& finding, const std::vector<Finding>& errors) {
 
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   Keys keys = problem_keys(catalogue);
-  keys.push_back({"material.model", std::string(paper_model), "", any, "law", catalogue.materials.names()});
+  keys.push_back(
+      {"material.model", std::string(paper_model), "", any, "law of the material", catalogue.materials.names()});
   const bool known = catalogue.materials.known(model);
   for (const auto& law : catalogue.materials.entries())
     if (!known || law.description.name == model) append_parameters(keys, law.description);

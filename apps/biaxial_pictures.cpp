@@ -25,7 +25,7 @@ std::string title_of(const Values& v) {
 
 Plot history_plot(const BiaxialRun& run, const Values& values) {
   Plot plot{.title = "Plane strain compression: " + title_of(values),
-            .x_label = "u/h0 [%]",
+            .x_label = "u/h₀ [%]",
             .y_label = "mobilised friction angle φ [°]",
             .series = {{.label = "", .x = {}, .y = {}}}};
   for (const BiaxialRow& row : run.rows()) {
@@ -46,7 +46,7 @@ std::vector<std::string> draw_biaxial(const BiaxialRun& run, const Values& value
   const Frame frame = run.frame();
   PictureOptions options{.field = "shear_strain",
                          .title = title_of(values),
-                         .subtitle = "u/h0 = " + with_digits(100.0 * run.u_over_h(), 2) + " %",
+                         .subtitle = "u/h₀ = " + with_digits(100.0 * run.u_over_h(), 2) + " %",
                          .label = "shear strain γ [-]"};
   write_field_picture(folder / "shear_strain.png", frame, options);
   std::vector<std::string> names{"history.png", "history.svg", "shear_strain.png"};

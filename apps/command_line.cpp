@@ -37,11 +37,19 @@ std::string line(const Option& option) {
 
 std::string hint(const Command& command) { return "; see 'riedel " + command.name + " --help'"; }
 
-std::string unknown_option_text(const Command& command, std::string given) {
-  given.erase(0, given.find_first_not_of('-'));
-  Texts names{"help"};
-  for (const Option& option : command.options) names.push_back(option.name);
-  return "unknown option --" + given + did_you_mean(given, names) + hint(command);
+std::string unknown_option_text(const Command& command, const std::string& given) {
+  Texts names{"--help"};
+  for (const Option& option : command.options) names.push_back("--" + option.name);
+  return "unknown option " + given + did_you_mean(given, names) + hint(command);
+}
+
+std::string wrong_value_text(const Command& command, const po::error_with_option_name& error) {
+  for (const Option& option : command.options)
+    if ("--" + option.name == error.get_option_name())
+      return "--" + option.name +
+             (option.value.empty() ? " takes no value" : " needs a value: --" + option.name + " " + option.value) +
+             hint(command);
+  return error.what() + hint(command);
 }
 
 } // namespace
@@ -68,20 +76,23 @@ int Arguments::threads() const {
 }
 
 CaseFile Arguments::case_file(std::size_t position) const {
-  CaseFile file = words.size() > position ? CaseFile::read(words[position]) : CaseFile::empty();
+  const bool named = words.size() > position;
+  if (named && words[position].find('=') != std::string::npos && !std::filesystem::exists(words[position]))
+    throw InputError(words[position] + ": there is no such case file (did you mean '--set " + words[position] + "'?)");
+  CaseFile file = named ? CaseFile::read(words[position]) : CaseFile::empty();
   if (const auto found = options.find("set"); found != options.end())
     for (const std::string& setting : found->second) file.override_with(setting);
   return file;
 }
 
 Options case_options() {
-  return {{"set", "KEY=VALUE", "put a key of the case, such as --set grid.cells=[16,56]; may be repeated"}};
+  return {{"set", "KEY=VALUE", "set a key of the case, such as --set grid.cells=[16,56]; may be repeated"}};
 }
 
-Options run_options() {
+Options run_options(const std::string& folder) {
   Options options = case_options();
-  options.push_back({"out", "DIR", "folder for the results"});
-  options.push_back({"threads", "N", "threads; the results do not depend on it"});
+  options.push_back({"out", "DIR", "folder for the results; default: " + folder});
+  options.push_back({"threads", "N", "default: all of the machine; the results do not depend on it"});
   options.push_back({"force", "", "write over the results that the folder holds"});
   return options;
 }
@@ -103,9 +114,12 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     }
   } catch (const po::unknown_option& error) {
     throw InputError(unknown_option_text(command, error.get_option_name()));
+  } catch (const po::error_with_option_name& error) {
+    throw InputError(wrong_value_text(command, error));
   } catch (const po::error& error) { throw InputError(error.what() + hint(command)); }
   if (!arguments.has("help") && arguments.words.size() > command.most_words)
-    throw InputError("'" + arguments.words[command.most_words] + "' is one word too many" + hint(command));
+    throw InputError("'" + arguments.words[command.most_words] + "' is one word too many; expected: riedel " +
+                     command.name + " " + command.usage);
   return arguments;
 }
 
@@ -130,7 +144,17 @@ std::string help(const Command& command) {
 std::string help(std::span<const Command> commands) {
   std::string text = "riedel: the material point method for shear localisation in sand\n\nCommands\n";
   for (const Command& command : commands) text += "  " + padded(command.name, 12) + command.summary + "\n";
-  return text + "\n'riedel COMMAND --help' tells more of each; 'riedel --version' prints the version.\n";
+  return text + R"(
+Examples
+  riedel biaxial                                        the paper's case; leaves its results in results/biaxial
+  riedel biaxial --set scheme=cpdi --out results/cpdi   one key changed
+  riedel check > case.toml                              a case file with every key, to edit
+  riedel biaxial case.toml --out results/mine           and to run
+
+'riedel COMMAND --help' tells more of each command; 'riedel --version' prints the version. The paper is
+Krzyżanowski, Wójcik and Tejchman (2020).
+Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 4 a plug-in is missing, 130 or 143 interrupted, 1 a bug.
+)";
 }
 
 std::string version() { return "riedel " RIEDEL_VERSION; }

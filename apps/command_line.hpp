@@ -31,7 +31,9 @@ struct Option {
 };
 using Options = std::vector<Option>;
 Options case_options(); ///< --set
-Options run_options();  ///< --set, --out, --threads, --force
+/// --set, --out, --threads, --force
+/// @param folder that holds the results when there is no --out
+Options run_options(const std::string& folder);
 
 struct Command {
   std::string name;

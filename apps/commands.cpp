@@ -22,8 +22,8 @@ Options check_options() {
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"biaxial", "[CASE.toml] [options]",
-       "Plane strain compression of a sand specimen; the paper's case when none is given.", 1, run_options(), biaxial,
-       biaxial_keys_help},
+       "Plane strain compression of a sand specimen; the paper's case when none is given.", 1,
+       run_options("results/biaxial"), biaxial, biaxial_keys_help},
       {"check", "[CASE.toml] [options]",
        "Checks a case, tells all errors at once, or prints it with every key in force.", 1, check_options(), check,
        biaxial_keys_help},

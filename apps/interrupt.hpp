@@ -3,10 +3,12 @@
 
 #include <array>
 #include <csignal>
+#include <cstdint>
 
 namespace riedel {
 
-/// Catches SIGINT and SIGTERM while it lives. A second signal of the same kind ends the program at once.
+/// Catches SIGINT and SIGTERM while it lives. A second signal ends the program at once, unless it comes within half a
+/// second of the first: `timeout` and other callers send each signal twice, to the program and to its group.
 class Interrupt {
 public:
   Interrupt();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace riedel {
 
@@ -14,13 +15,12 @@ std::string section_of(const Key& key) { return key.name.substr(0, key.name.rfin
 
 std::string unit_of(const Key& key) { return key.unit == "-" ? "" : key.unit; }
 
-/// What is allowed: "gimp | cpdi", "> 0", "in (0, 1)", "auto | > 0", or nothing.
+/// What is allowed: "gimp | cpdi", "> 0", "(0, 1)", "auto | > 0", or nothing.
 std::string allowed(const Key& key) {
   std::string text;
   for (const std::string& choice : key.choices) text += (text.empty() ? "" : " | ") + choice;
   if (!std::isfinite(key.bounds.lower) && !std::isfinite(key.bounds.upper)) return text;
-  const std::string range = key.bounds.text();
-  return text + (text.empty() ? "" : " | ") + (range.front() == '(' || range.front() == '[' ? "in " : "") + range;
+  return text + (text.empty() ? "" : " | ") + key.bounds.text();
 }
 
 /// Length as seen: bytes that continue a letter do not count.
@@ -32,10 +32,34 @@ std::string padded(const std::string& text, std::size_t width) {
   return text + std::string(std::max(width, letters(text) + 2) - letters(text), ' ');
 }
 
-std::string help_line(const Key& key) {
-  const std::string range = allowed(key);
-  return "  " + padded(key.name, 28) + padded(toml_text(key.default_value) + " " + unit_of(key), 26) + key.doc +
-         (range.empty() ? "" : ": " + range) + "\n";
+std::string default_text(const Key& key) {
+  const bool word = std::holds_alternative<std::string>(key.default_value);
+  return toml_text(key.default_value) + (word || unit_of(key).empty() ? "" : " " + unit_of(key));
+}
+
+/// Words in lines of at most `width` letters, each but the first behind a margin.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t margin) {
+  std::istringstream words(text);
+  std::string all, row;
+  for (std::string word; words >> word; row += word) {
+    if (!row.empty() && letters(row) + 1 + letters(word) > width) {
+      all += row + "\n" + std::string(margin, ' ');
+      row.clear();
+    }
+    if (!row.empty()) row += ' ';
+  }
+  return all + row;
+}
+
+/// Four columns; a long list of choices stands below what the key is.
+std::string help_line(const Key& key, std::size_t indent) {
+  constexpr std::size_t name = 28, value = 18, range = 12, doc = 58;
+  const std::size_t margin = indent + name + value + range;
+  const std::string choices = allowed(key);
+  const bool fits = letters(choices) + 2 <= range;
+  return std::string(indent, ' ') + padded(key.name, name) + padded(default_text(key), value) +
+         padded(fits ? choices : "", range) + wrapped(key.doc, doc, margin) + "\n" +
+         (fits ? "" : std::string(margin, ' ') + choices + "\n");
 }
 
 std::string markdown_line(const Key& key) {
@@ -52,27 +76,30 @@ std::string markdown_table(const Keys& keys) {
 }
 
 std::string law_section(const Description& law) {
-  return "### `model = \"" + law.name + "\"`\n\n" + law.summary + ". " + law.source + ".\n\n" +
+  const std::string source = has_source(law) ? " " + law.source + "." : "";
+  return "### `model = \"" + law.name + "\"`\n\n" + law.summary + "." + source + "\n\n" +
          (law.parameters.empty() ? "" : markdown_table(law.parameters));
 }
 
 } // namespace
 
+bool has_source(const Description& description) { return !description.source.empty() && description.source != "-"; }
+
 std::string keys_help(const Keys& keys) {
-  std::string text = "Keys of the case (default, what it is, what is allowed)\n"
+  std::string text = "Keys of the case: name, default, what is allowed, what it is\n"
                      "Numbers are SI (angles in degrees) or texts with a unit: \"50 kPa\", \"1.5 mm\", \"33 deg\".\n";
   std::string section = "none yet";
   for (const Key& key : keys) {
     if (section_of(key) != section) text += "\n";
     section = section_of(key);
-    text += help_line(key);
+    text += help_line(key, 2);
   }
   return text + "\n'riedel list materials' shows the parameters of the other laws.\n";
 }
 
 std::string parameters_help(const Keys& parameters) {
   std::string text;
-  for (const Key& key : parameters) text += "  " + help_line(key);
+  for (const Key& key : parameters) text += help_line(key, 4);
   return text;
 }
 
@@ -80,7 +107,8 @@ std::string biaxial_reference(const Catalogue& catalogue) {
   std::string text =
       "# Keys of a biaxial case\n\nMade by `riedel check --reference` from the table that also checks the case. "
       "Every key has a default, the paper's value.\nNumbers are SI (angles in degrees) or texts with a unit: "
-      "`\"50 kPa\"`, `\"1.5 mm\"`, `\"33 deg\"`.\n\n";
+      "`\"50 kPa\"`, `\"1.5 mm\"`, `\"33 deg\"`.\nOn the command line a key stands with its section: "
+      "`--set specimen.width=\"50 mm\"`, `--set grid.cells=[32,112]`.\n\n";
   const Keys keys = biaxial_keys(catalogue, paper_model);
   const auto& laws = catalogue.materials.entries();
   for (auto first = keys.begin(); first != keys.end();) {
@@ -93,6 +121,7 @@ std::string biaxial_reference(const Catalogue& catalogue) {
       for (const auto& law : laws) text += law_section(law.description);
     first = last;
   }
+  text.pop_back(); // one line end is enough for the last line
   return text;
 }
 

@@ -5,7 +5,10 @@
 
 namespace riedel {
 
-/// A line per key for a terminal: name, default with unit, range or choices, and what it is.
+/// Whether a scheme or law comes from a paper; "-" stands for none.
+bool has_source(const Description& description);
+
+/// A table for a terminal: name, default with unit, range or choices, and what each key is.
 std::string keys_help(const Keys& keys);
 
 /// Lines for the parameters of one scheme or law.

@@ -16,7 +16,7 @@ std::string entries(std::string_view title, const Registry<Make>& registry) {
   std::string text = std::string(title) + "\n";
   for (const auto& [description, make] : registry.entries()) {
     text += "  " + description.name + ": " + description.summary + "\n";
-    if (!description.source.empty()) text += "    " + description.source + "\n";
+    if (has_source(description)) text += "    " + description.source + "\n";
     text += parameters_help(description.parameters);
   }
   return text;
@@ -40,7 +40,7 @@ int list(const Arguments& arguments) {
     throw InputError("nothing to list is called '" + wish + "'" + did_you_mean(wish, names) +
                      "; known: schemes, materials, searches, averagers, plugins");
   for (const auto& [name, text] : groups)
-    if (wish.empty() || wish == name) std::cout << text;
+    if (wish.empty() || wish == name) std::cout << (name == groups.front().first || !wish.empty() ? "" : "\n") << text;
   return 0;
 }
 

@@ -3,6 +3,8 @@
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 
+#include <regex>
+
 namespace riedel {
 
 namespace {
@@ -16,8 +18,20 @@ void refuse_results(const fs::path& folder) {
                        "); choose another folder, or --force to write over them");
 }
 
+/// The frames of a time series, and no file of another name.
+void remove_frames(const fs::path& folder, const std::string& series) {
+  if (!fs::is_directory(folder / series)) return;
+  const std::regex frame(series + "_[0-9]{6,}[.]vt[pu]([.]part)?");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / series))
+    if (std::regex_match(entry.path().filename().string(), frame)) fs::remove(entry.path());
+}
+
+/// All but case.toml, which may be the very case that is being run.
 void remove_results(const fs::path& folder) {
-  for (const char* result : {"history.csv", "summary.json", "points.pvd", "domains.pvd"}) fs::remove(folder / result);
+  for (const char* result : {"history.csv", "summary.json", "points.pvd", "domains.pvd", "history.png", "history.svg",
+                             "void_ratio.png", "shear_strain.png"})
+    fs::remove(folder / result);
+  for (const char* series : {"points", "domains"}) remove_frames(folder, series);
 }
 
 /// Permissions, quotas and read-only disks are best asked by trying.

@@ -11,11 +11,11 @@ using namespace riedel;
 
 int run(const std::vector<std::string>& words) {
   if (words.empty()) throw InputError("no command given; see 'riedel --help'");
-  if (words.front() == "--help" || words.front() == "-h") {
-    std::cout << help(commands());
+  if (words.front() == "--help" || words.front() == "-h" || words.front() == "help") {
+    std::cout << (words.size() > 1 ? help(find_command(commands(), words[1])) : help(commands()));
     return 0;
   }
-  if (words.front() == "--version") {
+  if (words.front() == "--version" || words.front() == "version") {
     std::cout << version() << '\n';
     return 0;
   }

@@ -13,7 +13,7 @@ using testing::ThrowsMessage;
 namespace {
 
 Command command() {
-  return {"biaxial", "[CASE.toml]", "A test.", 1, run_options(), [](const Arguments&) { return 0; }};
+  return {"biaxial", "[CASE.toml]", "A test.", 1, run_options("there"), [](const Arguments&) { return 0; }};
 }
 Arguments parsed(const std::vector<std::string>& words) { return parse(command(), words); }
 auto error_with(const char* text) { return ThrowsMessage<InputError>(HasSubstr(text)); }
@@ -34,6 +34,7 @@ TEST(CommandLine, TakesWordsAndOptionsInAnyOrder) {
 TEST(CommandLine, PutsTheSettingsOnTheCase) {
   EXPECT_EQ(parsed({"--set", "scheme=linear", "--set", "scheme=cpdi"}).case_file().peek_text("scheme"), "cpdi");
   EXPECT_THROW((void)parsed({"/no/such/case.toml"}).case_file(), InputError);
+  EXPECT_THAT([] { (void)parsed({"scheme=cpdi"}).case_file(); }, error_with("did you mean '--set scheme=cpdi'?"));
 }
 
 TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
@@ -41,11 +42,13 @@ TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
       [] {
         (void)parsed({"--ste", "a=1"});
       },
-      ThrowsMessage<InputError>(AllOf(HasSubstr("--ste (did you mean 'set'?)"), HasSubstr("riedel biaxial --help"))));
+      ThrowsMessage<InputError>(AllOf(HasSubstr("--ste (did you mean '--set'?)"), HasSubstr("riedel biaxial --help"))));
   EXPECT_THAT([] { (void)parsed({"--forc"}); }, error_with("unknown option --forc")); // no abbreviations
+  EXPECT_THAT([] { (void)parsed({"-v"}); }, error_with("unknown option -v;"));
   EXPECT_THAT([] { (void)parsed({"a.toml", "b.toml"}); }, error_with("'b.toml' is one word too many"));
-  EXPECT_THAT([] { (void)parsed({"--out"}); }, error_with("riedel biaxial --help"));
-  EXPECT_THAT([] { (void)parsed({"--force=1"}); }, error_with("riedel biaxial --help"));
+  EXPECT_THAT([] { (void)parsed({"--out"}); }, error_with("--out needs a value: --out DIR; see"));
+  EXPECT_THAT([] { (void)parsed({"--out="}); }, error_with("--out needs a value"));
+  EXPECT_THAT([] { (void)parsed({"--force=1"}); }, error_with("--force takes no value; see 'riedel biaxial --help'"));
 }
 
 TEST(CommandLine, TakesAPositiveNumberOfThreads) {

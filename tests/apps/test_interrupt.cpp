@@ -1,6 +1,7 @@
 #include "apps/interrupt.hpp"
 
 #include <gtest/gtest.h>
+#include <thread>
 
 using riedel::Interrupt;
 
@@ -16,12 +17,22 @@ TEST(InterruptDeathTest, TellsWhichSignalCame) {
 }
 
 TEST(InterruptDeathTest, LetsTheSecondSignalEndTheProgram) {
-  const auto interrupted_twice = [] {
-    const Interrupt interrupt;
-    std::raise(SIGINT);
-    std::raise(SIGINT);
-  };
-  EXPECT_EXIT(interrupted_twice(), testing::KilledBySignal(SIGINT), "");
+  for (const int second : {SIGINT, SIGTERM}) {
+    const auto interrupted_twice = [&] {
+      const Interrupt interrupt;
+      std::raise(SIGINT);
+      std::this_thread::sleep_for(std::chrono::milliseconds(600));
+      std::raise(second);
+    };
+    EXPECT_EXIT(interrupted_twice(), testing::KilledBySignal(second), "");
+  }
+}
+
+TEST(InterruptDeathTest, TakesASignalSentTwiceForOne) {
+  const Interrupt interrupt;
+  std::raise(SIGTERM);
+  std::raise(SIGTERM);
+  EXPECT_EQ(interrupt.signal(), SIGTERM);
 }
 
 TEST(InterruptDeathTest, GivesTheSignalsBack) {

@@ -49,6 +49,19 @@ TEST(OutputFolder, WithForceLosesTheOldSummaryButNotTheCase) {
   EXPECT_FALSE(std::filesystem::exists(here / "points.pvd"));
 }
 
+TEST(OutputFolder, WithForceLosesPicturesAndFramesOfTheOldRunButNoOtherFile) {
+  const TemporaryFolder here;
+  std::filesystem::create_directory(here / "points");
+  for (const char* result : {"void_ratio.png", "points/points_000013.vtp", "points/points_000014.vtp.part"})
+    here.file(result, "old");
+  for (const char* other : {"my_void_ratio.png", "points/points_of_interest.vtp"}) here.file(other, "mine");
+  prepare_output_folder(here.path(), true);
+  for (const char* result : {"void_ratio.png", "points/points_000013.vtp", "points/points_000014.vtp.part"})
+    EXPECT_FALSE(std::filesystem::exists(here / result)) << result;
+  for (const char* other : {"my_void_ratio.png", "points/points_of_interest.vtp"})
+    EXPECT_EQ(file_content(here / other), "mine");
+}
+
 TEST(OutputFolder, TellsWhyItCannotBeUsed) {
   const TemporaryFolder here;
   const std::filesystem::path file = here.file("file", "");

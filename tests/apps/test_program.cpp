@@ -32,6 +32,7 @@ TEST_F(Program, TellsItsVersionAndItsCommands) {
   EXPECT_THAT(run("--version").out, StartsWith("riedel "));
   EXPECT_THAT(run("--help").out, AllOf(HasSubstr("biaxial"), HasSubstr("check"), HasSubstr("list")));
   EXPECT_EQ(run("--help").code, 0);
+  EXPECT_EQ(run("help").out, run("--help").out);
 }
 
 TEST_F(Program, HelpsWithEveryCommand) {

@@ -1,0 +1,11 @@
+/// docs/input.md is what the program prints.
+#include "apps/catalogue.hpp"
+#include "apps/key_tables.hpp"
+#include "temporary_folder.hpp"
+
+using namespace riedel;
+
+TEST(InputReference, IsUpToDate) {
+  EXPECT_EQ(file_content(SOURCE_DIR "/docs/input.md"), biaxial_reference(full_catalogue()))
+      << "renew it: riedel check --reference > docs/input.md";
+}
