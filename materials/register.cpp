@@ -17,7 +17,7 @@ void add(Materials& materials, std::string summary, std::string source) {
 } // namespace
 
 void register_materials(Materials& materials) {
-  add<LinearElastic>(materials, "Hooke's law in rates", "-");
+  add<LinearElastic>(materials, "Hooke's law in rates", "");
   add<GudehusBauer>(materials, "hypoplastic sand, local or non-local (averages rate_norm)",
                     "Gudehus (1996), Bauer (1996)");
 }
