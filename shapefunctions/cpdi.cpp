@@ -1,5 +1,7 @@
 #include "shapefunctions/cpdi.hpp"
 
+#include "core/state/cell_place.hpp"
+
 #include <Eigen/LU>
 
 namespace riedel {
@@ -12,8 +14,7 @@ namespace {
 template <int Dim>
 class CornerSum {
 public:
-  CornerSum(const Grid<Dim>& grid, StencilGroup<Dim>& group, int lane)
-      : grid_(grid), strides_(grid.strides()), group_(group), lane_(lane) {}
+  CornerSum(const Grid<Dim>& grid, StencilGroup<Dim>& group, int lane) : grid_(grid), group_(group), lane_(lane) {}
 
   void add(const Vec<Dim>& x, const Mat<Dim>& R) {
     const Mat<Dim> R_inverse_transposed = R.inverse().transpose();
@@ -26,37 +27,23 @@ public:
 
 private:
   void add_corner(int corner, const Vec<Dim>& x, const Vec<Dim>& weight_of_slope) {
-    Counts<Dim> first{};
-    Vec<Dim> xi; // place in the cell, 0 to 1
-    for (int a = 0; a < Dim; ++a) {
-      const double s = (x[a] - grid_.origin[a]) / grid_.cell[a], low = std::floor(s);
-      if (!(low >= 0.0 && low + 2 <= grid_.nodes[a])) {
-        group_.lost[lane_] = true;
-        return;
-      }
-      first[a] = static_cast<Index>(low);
-      xi[a] = s - low;
+    const CellPlace<Dim> place(grid_, x);
+    if (!place.inside()) {
+      group_.lost[lane_] = true;
+      return;
     }
-    group_.lowest_row = std::min(group_.lowest_row, first[Dim - 1]);
-    group_.highest_row = std::max(group_.highest_row, first[Dim - 1] + 1);
-    const Index base = grid_.node(first);
+    group_.lowest_row = std::min(group_.lowest_row, place.row());
+    group_.highest_row = std::max(group_.highest_row, place.row() + 1);
     for (int n = 0; n < power(2, Dim); ++n) {
-      double N = 1.0;
-      Index node = base;
-      for (int a = 0; a < Dim; ++a) {
-        const bool upper = (n >> a) & 1;
-        N *= upper ? xi[a] : 1.0 - xi[a];
-        if (upper) node += strides_[a];
-      }
       const int entry = corner * power(2, Dim) + n, at = entry * pack_size + lane_;
-      group_.node[at] = node;
+      const double N = place.hat(n);
+      group_.node[at] = place.node(n);
       group_.value[at] = N / power(2, Dim);
       for (int a = 0; a < Dim; ++a) group_.slope[(entry * Dim + a) * pack_size + lane_] = N * weight_of_slope[a];
     }
   }
 
   const Grid<Dim>& grid_;
-  const Counts<Dim> strides_;
   StencilGroup<Dim>& group_;
   const int lane_;
 };

@@ -1,5 +1,7 @@
 #include "core/step/loads.hpp"
 
+#include "core/state/cell_place.hpp"
+
 #include <Eigen/LU>
 
 namespace riedel {
@@ -35,28 +37,11 @@ void for_each_face(const State<Dim>& state, const Model<Dim>& model, const Use& 
 /// on the edge of the material, where hats balance a uniform stress.
 template <int Dim>
 void add_force(State<Dim>& state, const FaceForce<Dim>& face) {
-  const Grid<Dim>& grid = state.grid;
-  const Counts<Dim> strides = grid.strides();
-  Index base = 0;
-  Vec<Dim> xi; // place in the cell, 0 to 1
-  for (int a = 0; a < Dim; ++a) {
-    const double s = (face.position[a] - grid.origin[a]) / grid.cell[a], low = std::floor(s);
-    if (!(low >= 0.0 && low + 2 <= grid.nodes[a]))
-      throw RunError("a loaded face left the grid at step " + std::to_string(state.step) + ", time " +
-                     exact_text(state.time) + " s");
-    base += static_cast<Index>(low) * strides[a];
-    xi[a] = s - low;
-  }
-  for (int n = 0; n < power(2, Dim); ++n) {
-    double N = 1.0;
-    Index node = base;
-    for (int a = 0; a < Dim; ++a) {
-      const bool upper = (n >> a) & 1;
-      N *= upper ? xi[a] : 1.0 - xi[a];
-      if (upper) node += strides[a];
-    }
-    state.nodes.sums[node].force += N * face.force;
-  }
+  const CellPlace<Dim> place(state.grid, face.position);
+  if (!place.inside())
+    throw RunError("a loaded face left the grid at step " + std::to_string(state.step) + ", time " +
+                   exact_text(state.time) + " s");
+  for (int n = 0; n < power(2, Dim); ++n) state.nodes.sums[place.node(n)].force += place.hat(n) * face.force;
 }
 
 } // namespace
