@@ -8,10 +8,22 @@ namespace riedel {
 
 namespace {
 constexpr std::int64_t steps_between_surveys = 10; // the wave speed changes by less than 1 % in that time
+
+template <int Dim>
+void check_state_columns(const State<Dim>& state) {
+  for (const Body<Dim>& body : state.bodies) {
+    const int declared = state_components(body.material->states()), given = body.points.state.components();
+    if (given != declared || declared > most_state_columns)
+      throw InputError("body '" + body.name + "': its law declares " + std::to_string(declared) +
+                       " state columns, its points have " + std::to_string(given) + "; they must agree, " +
+                       std::to_string(most_state_columns) + " at the most");
+  }
 }
+} // namespace
 
 template <int Dim>
 Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::move(model)), state_(std::move(state)) {
+  check_state_columns(state_);
   prepare_points(state_, model_);
   bind_conditions(state_, model_.conditions);
   locate_points(state_, model_);

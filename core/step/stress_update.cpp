@@ -7,8 +7,6 @@ namespace riedel {
 
 namespace {
 
-constexpr int most_state_columns = 64;
-
 /// One block's columns as a law sees them; lives on the stack.
 template <int Dim>
 struct Block {

@@ -5,6 +5,8 @@
 
 namespace riedel {
 
+constexpr int most_state_columns = 64; ///< that a law may declare
+
 /// Averages the scalar that the law names, rotates stress and tensor state with the material, and lets the law
 /// integrate the step. Throws RunError naming the first point at which the law fails.
 template <int Dim>
