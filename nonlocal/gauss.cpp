@@ -14,13 +14,19 @@ void GaussAverager<Dim>::forget_neighbours() {
   weighed_at_.resize(0);
 }
 
+template <int Dim>
+void GaussAverager<Dim>::follow(const Columns& positions) {
+  if (!moved(positions, weighed_at_, weights_last * length_)) return;
+  if (moved(positions, searched_at_, 0.5 * skin * length_)) search(positions);
+  for_each_block(positions.size(), [&](Range block) { weigh(positions, block); });
+  weighed_at_ = positions;
+}
+
 /// Both sums run over the neighbours by rising number, and a pair beyond 3 l_c adds exactly nothing, so the result does
 /// not depend on when the neighbours were searched for.
 template <int Dim>
-void GaussAverager<Dim>::average(const Columns& positions, const double* volumes, const double* field,
-                                 double* averaged) {
-  refresh(positions);
-  const Index points = positions.size();
+void GaussAverager<Dim>::average(const double* volumes, const double* field, double* averaged) {
+  const Index points = static_cast<Index>(load_.size());
   for_each_block(points, [&](Range block) {
     for (Index p = block.begin; p < block.end; ++p) load_[p] = {volumes[p], volumes[p] * field[p]};
   });
@@ -35,14 +41,6 @@ void GaussAverager<Dim>::average(const Columns& positions, const double* volumes
       averaged[p] = moment / volume; // d*(x_p) = Σ_q ω_pq V_q d_q / Σ_q ω_pq V_q   (1)
     }
   });
-}
-
-template <int Dim>
-void GaussAverager<Dim>::refresh(const Columns& positions) {
-  if (!moved(positions, weighed_at_, weights_last * length_)) return;
-  if (moved(positions, searched_at_, 0.5 * skin * length_)) search(positions);
-  for_each_block(positions.size(), [&](Range block) { weigh(positions, block); });
-  weighed_at_ = positions;
 }
 
 template <int Dim>

@@ -22,7 +22,8 @@ public:
   /// @param length l_c [m], > 0
   GaussAverager(double length, std::unique_ptr<NeighbourSearch<Dim>> search);
 
-  void average(const Columns& positions, const double* volumes, const double* field, double* averaged) override;
+  void follow(const Columns& positions) override;
+  void average(const double* volumes, const double* field, double* averaged) override;
   void forget_neighbours() override;
   [[nodiscard]] std::int64_t searches() const override { return searches_; }
 
@@ -33,7 +34,6 @@ private:
     double moment; ///< V_q field(q)
   };
 
-  void refresh(const Columns& positions);
   void search(const Columns& positions);
   void weigh(const Columns& positions, Range block);
   [[nodiscard]] bool moved(const Columns& positions, const Columns& since, double distance);

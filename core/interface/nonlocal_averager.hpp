@@ -14,9 +14,12 @@ public:
   NonlocalAverager(const NonlocalAverager&) = delete;
   NonlocalAverager& operator=(const NonlocalAverager&) = delete;
 
-  /// averaged(p) = Σ_q ω_pq V_q field(q) / Σ_q ω_pq V_q.
-  /// @param positions Dim columns [m]   @param volumes [m³ or m²]   @param field, averaged columns of as many numbers
-  virtual void average(const Columns& positions, const double* volumes, const double* field, double* averaged) = 0;
+  /// Finds neighbours and weights for where the points are now; to be called whenever they have moved.
+  /// @param positions Dim columns [m]
+  virtual void follow(const Columns& positions) = 0;
+  /// averaged(p) = Σ_q ω_pq V_q field(q) / Σ_q ω_pq V_q, with the weights of the last `follow`.
+  /// @param volumes [m³ or m²]   @param field, averaged columns of as many numbers as points were followed
+  virtual void average(const double* volumes, const double* field, double* averaged) = 0;
   /// Must be called when points have changed their numbers.
   virtual void forget_neighbours() = 0;
   /// Times that neighbours were searched for.

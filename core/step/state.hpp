@@ -1,6 +1,7 @@
 /// What changes in a run.
 #pragma once
 
+#include "core/base/phase_clock.hpp"
 #include "core/interface/material.hpp"
 #include "core/interface/nonlocal_averager.hpp"
 #include "core/state/cell_order.hpp"
@@ -67,6 +68,7 @@ struct State {
   MaterialReport report;      ///< summed since the start
 
   std::vector<StressShare> shares; ///< working space
+  PhaseClock clock;                ///< for `riedel bench`
 };
 
 } // namespace riedel

@@ -90,11 +90,16 @@ void rotate_block(Body<3>& body, Range block, double dt) {
 }
 
 template <int Dim>
-const double* average(Body<Dim>& body) {
+const double* average(State<Dim>& state, Body<Dim>& body) {
   if (!body.averager) return nullptr;
   Points<Dim>& points = body.points;
   const double* field = body.averaged_state < 0 ? points.rate_norm[0] : points.state[body.averaged_state];
-  body.averager->average(points.position, points.volume[0], field, points.averaged[0]);
+  {
+    const PhaseClock::Lap lap(state.clock, Phase::neighbours);
+    body.averager->follow(points.position);
+  }
+  const PhaseClock::Lap lap(state.clock, Phase::averaging);
+  body.averager->average(points.volume[0], field, points.averaged[0]);
   return points.averaged[0];
 }
 
@@ -114,7 +119,8 @@ template <int Dim>
 template <int Dim>
 void update_stress(State<Dim>& state, double dt) {
   for (Body<Dim>& body : state.bodies) {
-    const double* averaged = average(body);
+    const double* averaged = average(state, body);
+    const PhaseClock::Lap lap(state.clock, Phase::law);
     const StressShare all = reduce_blocks(
         body.points.size(), state.shares, StressShare{},
         [&](Range range) {

@@ -39,11 +39,13 @@ TEST(Averaging, TakesNoMemoryBetweenSearches) {
     Columns x = random_points<2>(900, 1.0);
     const std::vector<double> volumes(900, 1.0), field(900, 2.0);
     std::vector<double> answer(900);
-    averager->average(x, volumes.data(), field.data(), answer.data());
+    averager->follow(x);
+    averager->average(volumes.data(), field.data(), answer.data());
     const long before = allocations;
     for (int call = 0; call < 20; ++call) {
       for (Index p = 0; p < x.size(); ++p) x[0][p] += 1e-4 * p / 900; // weights are evaluated anew now and then
-      averager->average(x, volumes.data(), field.data(), answer.data());
+      averager->follow(x);
+      averager->average(volumes.data(), field.data(), answer.data());
     }
     EXPECT_EQ(allocations, before);
     EXPECT_EQ(averager->searches(), 1);

@@ -24,7 +24,8 @@ Numbers random_numbers(Index count, double lower, double upper, unsigned seed) {
 template <int Dim>
 Numbers averaged(NonlocalAverager<Dim>& averager, const Columns& x, const Numbers& volumes, const Numbers& field) {
   Numbers answer(field.size());
-  averager.average(x, volumes.data(), field.data(), answer.data());
+  averager.follow(x);
+  averager.average(volumes.data(), field.data(), answer.data());
   return answer;
 }
 

@@ -1,0 +1,50 @@
+/// Where the time of a step goes, measured for `riedel bench` and silent otherwise.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string_view>
+
+namespace riedel {
+
+enum class Phase { stencils, p2g, grid, g2p, kinematics, neighbours, averaging, law, sorting, other };
+constexpr std::array<std::string_view, 10> phase_names{"stencils",   "P2G",       "grid", "G2P",     "kinematics",
+                                                       "neighbours", "averaging", "law",  "sorting", "other"};
+
+/// The thread that drives the run measures, and waits for the others where a loop ends: its phases add up to the time
+/// of a step, whatever the number of threads.
+class PhaseClock {
+public:
+  void start(); ///< from zero, in phase `other`
+  void stop();
+  [[nodiscard]] bool running() const { return running_; }
+  [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+
+  /// While it lives time counts for its phase, then again for the phase before.
+  class Lap {
+  public:
+    Lap(PhaseClock& clock, Phase phase) {
+      if (clock.running_ && on_first_thread()) clock_ = &clock, before_ = clock.change(phase);
+    }
+    ~Lap() {
+      if (clock_) clock_->change(before_);
+    }
+    Lap(const Lap&) = delete;
+    Lap& operator=(const Lap&) = delete;
+
+  private:
+    PhaseClock* clock_ = nullptr;
+    Phase before_{};
+  };
+
+private:
+  static bool on_first_thread();
+  Phase change(Phase to); ///< @return the phase until now
+
+  std::array<double, phase_names.size()> seconds_{};
+  std::chrono::steady_clock::time_point since_{};
+  Phase now_ = Phase::other;
+  bool running_ = false;
+};
+
+} // namespace riedel
