@@ -1,52 +1,100 @@
 #include "shapefunctions/cpdi.hpp"
 
-#include "core/state/cell_place.hpp"
-
-#include <Eigen/LU>
+#include "shapefunctions/tensor_product.hpp"
 
 namespace riedel {
 
 namespace {
 
-/// Weights of one point, added corner by corner: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where the
-/// columns of R are the domain's half vectors and s_c = (±1, …) tells the corner; for a parallelogram these are
-/// eqs. (18) and (20) of the paper.
 template <int Dim>
-class CornerSum {
-public:
-  CornerSum(const Grid<Dim>& grid, StencilGroup<Dim>& group, int lane) : grid_(grid), group_(group), lane_(lane) {}
+using PackVector = std::array<Pack, Dim>;
 
-  void add(const Vec<Dim>& x, const Mat<Dim>& R) {
-    const Mat<Dim> R_inverse_transposed = R.inverse().transpose();
-    for (int c = 0; c < power(2, Dim); ++c) {
-      Vec<Dim> s;
-      for (int a = 0; a < Dim; ++a) s[a] = (c >> a) & 1 ? 1.0 : -1.0;
-      add_corner(c, x + R * s, R_inverse_transposed * s / power(2, Dim));
-    }
-  }
-
-private:
-  void add_corner(int corner, const Vec<Dim>& x, const Vec<Dim>& weight_of_slope) {
-    const CellPlace<Dim> place(grid_, x);
-    if (!place.inside()) {
-      group_.lost[lane_] = true;
-      return;
-    }
-    group_.lowest_row = std::min(group_.lowest_row, place.row());
-    group_.highest_row = std::max(group_.highest_row, place.row() + 1);
-    for (int n = 0; n < power(2, Dim); ++n) {
-      const int entry = corner * power(2, Dim) + n, at = entry * pack_size + lane_;
-      const double N = place.hat(n);
-      group_.node[at] = place.node(n);
-      group_.value[at] = N / power(2, Dim);
-      for (int a = 0; a < Dim; ++a) group_.slope[(entry * Dim + a) * pack_size + lane_] = N * weight_of_slope[a];
-    }
-  }
-
-  const Grid<Dim>& grid_;
-  StencilGroup<Dim>& group_;
-  const int lane_;
+/// Eight parallelograms (parallelepipeds): centres, half vectors R_a, and the rows of R⁻¹.
+template <int Dim>
+struct Domains {
+  PackVector<Dim> centre;
+  std::array<PackVector<Dim>, Dim> half, inverse; ///< half[a] = R_a; inverse[a]·R_b = δ_ab
 };
+
+/// r = (R_a × R_b) in space, and R_a turned by −90° in the plane, both scaled.
+void invert(const std::array<PackVector<2>, 2>& R, std::array<PackVector<2>, 2>& inverse) {
+  const Pack per_det = Pack(1.0) / (R[0][0] * R[1][1] - R[0][1] * R[1][0]);
+  inverse[0] = {R[1][1] * per_det, -R[1][0] * per_det};
+  inverse[1] = {-R[0][1] * per_det, R[0][0] * per_det};
+}
+void invert(const std::array<PackVector<3>, 3>& R, std::array<PackVector<3>, 3>& inverse) {
+  const auto cross = [](const PackVector<3>& a, const PackVector<3>& b) -> PackVector<3> {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  for (int a = 0; a < 3; ++a) inverse[a] = cross(R[(a + 1) % 3], R[(a + 2) % 3]);
+  const Pack per_det = Pack(1.0) / (R[0][0] * inverse[0][0] + R[0][1] * inverse[0][1] + R[0][2] * inverse[0][2]);
+  for (PackVector<3>& row : inverse)
+    for (Pack& component : row) component *= per_det;
+}
+
+template <int Dim>
+Domains<Dim> domains_of(const Points<Dim>& points, Index p) {
+  const Index size = points.size();
+  Domains<Dim> d;
+  for (int a = 0; a < Dim; ++a) {
+    d.centre[a] = load_lanes(points.position[a], p, size);
+    const Pack half_size = load_lanes(points.half_size[a], p, size);
+    for (int i = 0; i < Dim; ++i)
+      d.half[a][i] = load_lanes(points.deformation_gradient[i * Dim + a], p, size) * half_size;
+  }
+  invert(d.half, d.inverse);
+  return d;
+}
+
+/// Weights of eight points, corner by corner: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1,
+/// …) tells the corner; for a parallelogram these are eqs. (18) and (20) of the paper.
+template <int Dim>
+void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, StencilGroup<Dim>& group) {
+  constexpr int corners = power(2, Dim);
+  PackVector<Dim> x = domains.centre, weight_of_slope;
+  weight_of_slope.fill(Pack(0.0));
+  for (int a = 0; a < Dim; ++a) {
+    const Pack s((corner >> a) & 1 ? 1.0 : -1.0), share((corner >> a) & 1 ? 1.0 / corners : -1.0 / corners);
+    for (int i = 0; i < Dim; ++i) {
+      x[i] += s * domains.half[a][i];
+      weight_of_slope[i] += share * domains.inverse[a][i];
+    }
+  }
+
+  PackVector<Dim> xi; // place in the corner's cell, 0 to 1
+  std::array<Index, pack_size> base{};
+  const Counts<Dim> strides = grid.strides();
+  for (int a = 0; a < Dim; ++a) {
+    const Pack place = (x[a] - Pack(grid.origin[a])) * Pack(1.0 / grid.cell[a]), lowest = floor(place);
+    xi[a] = place - lowest;
+    std::array<double, pack_size> low{};
+    lowest.store(low.data());
+    const double last = grid.nodes[a] - 2;
+    for (int k = 0; k < pack_size; ++k) {
+      const bool inside = low[k] >= 0.0 && low[k] <= last; // false for NaN too
+      group.lost[k] = group.lost[k] || !inside;
+      const Index first = static_cast<Index>(inside ? low[k] : 0.0);
+      base[k] += first * strides[a];
+      if (a == Dim - 1) {
+        group.lowest[k] = std::min(group.lowest[k], first);
+        group.highest[k] = std::max(group.highest[k], first + 1);
+      }
+    }
+  }
+
+  for (int n = 0; n < corners; ++n) {
+    const int entry = corner * corners + n;
+    Pack N(1.0);
+    Index offset = 0;
+    for (int a = 0; a < Dim; ++a) {
+      N *= (n >> a) & 1 ? xi[a] : Pack(1.0) - xi[a];
+      if ((n >> a) & 1) offset += strides[a];
+    }
+    group.set_value(entry, N * Pack(1.0 / corners));
+    for (int a = 0; a < Dim; ++a) group.set_slope(entry, a, N * weight_of_slope[a]);
+    group.set_nodes(entry, base, offset);
+  }
+}
 
 } // namespace
 
@@ -54,14 +102,12 @@ template <int Dim>
 void Cpdi<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const {
   for (Index p = block.begin; p < block.end; p += pack_size) {
     StencilGroup<Dim>& group = stencils.group_of(p);
-    group.count = max_nodes();
+    group.count = power(4, Dim);
     group.lost.fill(false);
-    group.lowest_row = grid.nodes[Dim - 1];
-    group.highest_row = 0;
-    for (int k = 0; k < pack_size; ++k) {
-      const Index q = std::min(p + k, points.size() - 1);
-      CornerSum<Dim>(grid, group, k).add(points.position_of(q), domain(grid, points, q));
-    }
+    group.lowest.fill(grid.nodes[Dim - 1]);
+    group.highest.fill(0);
+    const Domains<Dim> domains = domains_of(points, p);
+    for (int corner = 0; corner < power(2, Dim); ++corner) add_corner(grid, domains, corner, group);
     group.drop_lost_lanes();
   }
 }

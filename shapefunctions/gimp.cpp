@@ -10,33 +10,41 @@ namespace {
 
 /// The hat averaged over [r − l, r + l], l ≤ h: Bardenhagen & Kober (2004), eq. (44). The paper's cases by |r| are one
 /// expression in the hat and its integral at the two ends, which also holds for boxes wider than a cell (l > h/2).
-template <class Real>
-ValueSlope<Real> gimp(Real r, Real h, Real l) {
-  const Real a = max(min(r - l, h), -h), b = max(min(r + l, h), -h); // the ends, inside the hat's support
-  const auto integral = [&](Real s) { return s - copysign(s * s, s) / (h + h); };
-  const auto hat = [&](Real s) { return Real(1.0) - abs(s) / h; };
-  const Real width = l + l;
-  return {.value = (integral(b) - integral(a)) / width, .slope = (hat(b) - hat(a)) / width};
-}
+constexpr auto gimp = [](const Pack& r, const Axis& axis) -> ValueSlope<Pack> {
+  const Pack a = max(min(r - axis.l, axis.h), -axis.h), b = max(min(r + axis.l, axis.h), -axis.h); // inside the support
+  const Pack a_share = abs(a) * axis.per_h, b_share = abs(b) * axis.per_h;
+  // ∫ hat = s − s |s|/(2 h), the hat itself 1 − |s|/h.
+  const Pack area = (b - a) + Pack(0.5) * (a * a_share - b * b_share);
+  return {.value = area * axis.per_2l, .slope = (a_share - b_share) * axis.per_2l};
+};
 
 /// Diagonal of U = √(FᵀF). In two dimensions U = (FᵀF + det F I)/tr U with tr U = √(tr FᵀF + 2 det F).
-template <int Dim>
-Vec<Dim> stretch_diagonal(const Mat<Dim>& F) {
-  const Mat<Dim> C = F.transpose() * F;
-  if constexpr (Dim == 2) {
-    const double J = F.determinant();
-    return (C.diagonal().array() + J) / std::sqrt(C.trace() + 2 * J);
-  } else {
-    return Eigen::SelfAdjointEigenSolver<Mat<Dim>>(C).operatorSqrt().diagonal();
-  }
+Vec<3> stretch_diagonal(const Mat<3>& F) {
+  return Eigen::SelfAdjointEigenSolver<Mat<3>>(F.transpose() * F).operatorSqrt().diagonal();
+}
+template <class Real>
+std::array<Real, 2> stretch_diagonal(const std::array<Real, 4>& F) {
+  const Real c1 = F[0] * F[0] + F[2] * F[2], c2 = F[1] * F[1] + F[3] * F[3], J = F[0] * F[3] - F[1] * F[2];
+  const Real per_trace = Real(1.0) / sqrt(c1 + c2 + J + J);
+  return {(c1 + J) * per_trace, (c2 + J) * per_trace};
 }
 
-template <int Dim>
-Vec<Dim> cpgimp_half_width(const Grid<Dim>& grid, const Points<Dim>& points, Index p) {
-  const Vec<Dim> stretch = stretch_diagonal<Dim>(points.deformation_gradient_of(p));
-  Vec<Dim> l;
-  for (int a = 0; a < Dim; ++a) l[a] = std::min(points.half_size[a][p] * stretch[a], grid.cell[a]);
+/// Half widths of the boxes of eight points from p on, lanes past the last point repeating it.
+std::array<Pack, 2> cpgimp_half_widths(const Grid<2>& grid, const Points<2>& points, Index p) {
+  std::array<Pack, 4> F;
+  for (int c = 0; c < 4; ++c) F[c] = load_lanes(points.deformation_gradient[c], p, points.size());
+  std::array<Pack, 2> l = stretch_diagonal(F);
+  for (int a = 0; a < 2; ++a) l[a] = min(l[a] * load_lanes(points.half_size[a], p, points.size()), Pack(grid.cell[a]));
   return l;
+}
+std::array<Pack, 3> cpgimp_half_widths(const Grid<3>& grid, const Points<3>& points, Index p) {
+  std::array<std::array<double, pack_size>, 3> width;
+  for (Index k = 0; k < pack_size; ++k) {
+    const Index q = std::min(p + k, points.size() - 1);
+    const Vec<3> stretch = stretch_diagonal(points.deformation_gradient_of(q));
+    for (int a = 0; a < 3; ++a) width[a][k] = std::min(points.half_size[a][q] * stretch[a], grid.cell[a]);
+  }
+  return {Pack::load(width[0].data()), Pack::load(width[1].data()), Pack::load(width[2].data())};
 }
 
 } // namespace
@@ -48,7 +56,7 @@ void Gimp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range
     for (int a = 0; a < Dim; ++a)
       lanes[a] = {.position = load_lanes(points.position[a], p, points.size()),
                   .half_width = Pack(grid.stretch[a]) * load_lanes(points.half_size[a], p, points.size())};
-    fill_tensor_product<Dim>(grid, lanes, 3, stencils.group_of(p), gimp<Pack>);
+    fill_tensor_product<Dim, 3>(grid, lanes, stencils.group_of(p), gimp);
   }
 }
 
@@ -63,25 +71,31 @@ template <int Dim>
 void Cpgimp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                            Stencils<Dim>& stencils) const {
   for (Index p = block.begin; p < block.end; p += pack_size) {
-    std::array<std::array<double, pack_size>, Dim> width;
-    for (Index k = 0; k < pack_size; ++k) {
-      const Vec<Dim> l = cpgimp_half_width(grid, points, std::min(p + k, points.size() - 1));
-      for (int a = 0; a < Dim; ++a) width[a][k] = l[a];
-    }
+    const std::array<Pack, Dim> half_width = cpgimp_half_widths(grid, points, p);
     std::array<AxisLanes, Dim> lanes;
     bool small = true; // no box wider than a cell: three nodes along each axis are enough
     for (int a = 0; a < Dim; ++a) {
-      lanes[a] = {.position = load_lanes(points.position[a], p, points.size()),
-                  .half_width = Pack::load(width[a].data())};
+      lanes[a] = {.position = load_lanes(points.position[a], p, points.size()), .half_width = half_width[a]};
       small = small && all(lanes[a].half_width <= Pack(0.5 * grid.cell[a]));
     }
-    fill_tensor_product<Dim>(grid, lanes, small ? 3 : 4, stencils.group_of(p), gimp<Pack>);
+    if (small)
+      fill_tensor_product<Dim, 3>(grid, lanes, stencils.group_of(p), gimp);
+    else
+      fill_tensor_product<Dim, 4>(grid, lanes, stencils.group_of(p), gimp);
   }
 }
 
 template <int Dim>
 Mat<Dim> Cpgimp<Dim>::domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const {
-  return cpgimp_half_width(grid, points, p).asDiagonal();
+  const Index first = p / pack_size * pack_size;
+  const std::array<Pack, Dim> widths = cpgimp_half_widths(grid, points, first);
+  Vec<Dim> half;
+  for (int a = 0; a < Dim; ++a) {
+    std::array<double, pack_size> lane;
+    widths[a].store(lane.data());
+    half[a] = lane[p - first];
+  }
+  return half.asDiagonal();
 }
 
 template class Gimp<2>;

@@ -6,10 +6,9 @@ namespace riedel {
 
 namespace {
 /// N = 1 − |r|/h.
-template <class Real>
-ValueSlope<Real> hat(Real r, Real h, Real) {
-  return {.value = max(Real(1.0) - abs(r) / h, Real(0.0)), .slope = -copysign(Real(1.0) / h, r)};
-}
+constexpr auto hat = [](const Pack& r, const Axis& axis) -> ValueSlope<Pack> {
+  return {.value = max(Pack(1.0) - abs(r) * axis.per_h, Pack(0.0)), .slope = -copysign(axis.per_h, r)};
+};
 } // namespace
 
 template <int Dim>
@@ -19,7 +18,7 @@ void Linear<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Ran
     std::array<AxisLanes, Dim> lanes;
     for (int a = 0; a < Dim; ++a)
       lanes[a] = {.position = load_lanes(points.position[a], p, points.size()), .half_width = Pack(0.0)};
-    fill_tensor_product<Dim>(grid, lanes, 2, stencils.group_of(p), hat<Pack>);
+    fill_tensor_product<Dim, 2>(grid, lanes, stencils.group_of(p), hat);
   }
 }
 

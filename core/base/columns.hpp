@@ -2,7 +2,7 @@
 /// whole packs, so that a pack may be read past the last point.
 #pragma once
 
-#include "core/base/types.hpp"
+#include "core/base/parallel.hpp"
 
 #include <memory>
 #include <new>
@@ -49,8 +49,8 @@ public:
     scratch.resize(static_cast<std::size_t>(size_));
     for (int c = 0; c < components_; ++c) {
       double* column = (*this)[c];
-      for (std::size_t i = 0; i < scratch.size(); ++i) scratch[i] = column[order[i]];
-      std::copy(scratch.begin(), scratch.end(), column);
+      parallel_for(size_, [&](Index i) { scratch[i] = column[order[i]]; });
+      parallel_for(size_, [&](Index i) { column[i] = scratch[i]; });
     }
   }
 

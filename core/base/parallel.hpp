@@ -4,9 +4,13 @@
 
 #include "core/base/types.hpp"
 
+#include <omp.h>
 #include <vector>
 
 namespace riedel {
+
+inline int most_threads() { return omp_get_max_threads(); }
+inline int this_thread() { return omp_get_thread_num(); } ///< 0 … most_threads() − 1
 
 inline Index blocks_of(Index points) { return (points + block_size - 1) / block_size; }
 inline Range block_range(Index block, Index points) {

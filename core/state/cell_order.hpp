@@ -7,25 +7,34 @@
 
 namespace riedel {
 
-/// Slab s holds the points begin[s] … begin[s + 1] − 1, which lie in `rows` rows of cells along the last axis. With
-/// slabs thick enough, those of even number touch no common node, nor do those of odd number: each set is spread over
-/// threads and every node receives its sums in the same order whatever their number.
+/// Slab s holds the points begin[s] … begin[s + 1] − 1, which lie in `rows` rows of cells along the last axis when they
+/// are sorted. Those of even number touch no common node, nor do those of odd number, as long as each keeps to the rows
+/// of nodes that it may touch: each set is spread over threads and every node receives its sums in the same order
+/// whatever their number.
 struct Slabs {
-  Index rows = 0;
+  Index rows = 0; ///< even
   std::vector<Index> begin;
   [[nodiscard]] Index count() const { return static_cast<Index>(begin.size()) - 1; }
   [[nodiscard]] Range range(Index s) const { return {begin[s], begin[s + 1]}; }
+  /// Rows of nodes that the slab may touch: half a slab more on either side, up to where its sisters begin.
+  [[nodiscard]] Range node_rows(Index s) const { return {s * rows - rows / 2 + 1, (s + 1) * rows + rows / 2 + 1}; }
 };
 
 /// Working space of a sort, kept so that sorting again allocates nothing.
 struct SortSpace {
-  std::vector<std::pair<std::int64_t, Index>> keys;
+  std::vector<Index> cell; ///< of each point
+  std::vector<Index> next; ///< where the next point of each cell goes
   std::vector<Index> order, ids;
   AlignedVector<double> column;
+  std::vector<Index> disorder; ///< per block
 };
 
-/// Sorts by slab, then by column of cells, then by row; points of one cell keep their order.
+/// Sorts by cell, cells numbered with the first axis fastest; points of one cell keep their order.
 template <int Dim>
 void sort_by_cell(const Grid<Dim>& grid, Index rows_per_slab, Points<Dim>& points, Slabs& slabs, SortSpace& space);
+
+/// Points that lie in a cell before that of the point before them.
+template <int Dim>
+Index out_of_order(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& space);
 
 } // namespace riedel

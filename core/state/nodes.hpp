@@ -2,22 +2,31 @@
 #pragma once
 
 #include "core/base/columns.hpp"
+#include "core/base/quad.hpp"
 
 namespace riedel {
 
-/// What the points add up at a node; one cache line.
+/// What the points add up at a node: one cache line, and one pack.
 template <int Dim>
 struct alignas(64) NodeSums {
-  double mass = 0.0;                    ///< m_i [kg, or kg/m in plane strain]
   Vec<Dim> momentum = Vec<Dim>::Zero(); ///< (mv)_i
   Vec<Dim> force = Vec<Dim>::Zero();    ///< f_i, external and internal [N or N/m]
-};
+  double mass = 0.0;                    ///< m_i [kg, or kg/m in plane strain]
+  std::array<double, 7 - 2 * Dim> padding{};
 
-/// What a node tells the points.
+  static constexpr int momentum_at = 0, force_at = Dim, mass_at = 2 * Dim; ///< places in the pack
+  void add(const Pack& share) { (Pack::load(momentum.data()) + share).store(momentum.data()); }
+};
+static_assert(sizeof(NodeSums<2>) == 64 && sizeof(NodeSums<3>) == 64);
+
+/// What a node tells the points: velocity, then acceleration, in a record of four doubles (eight in three dimensions).
 template <int Dim>
-struct NodeMotion {
+struct alignas(Dim == 2 ? 32 : 64) NodeMotion {
   Vec<Dim> velocity = Vec<Dim>::Zero();     ///< v_i [m/s]
   Vec<Dim> acceleration = Vec<Dim>::Zero(); ///< (v_i − v_i before the step)/Δt, boundary conditions included [m/s²]
+
+  using Record = std::conditional_t<Dim == 2, Quad, Pack>;
+  [[nodiscard]] Record record() const { return Record::load(velocity.data()); }
 };
 
 template <int Dim>

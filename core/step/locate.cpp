@@ -1,49 +1,31 @@
 #include "core/step/locate.hpp"
 
-#include "core/base/parallel.hpp"
-
 namespace riedel {
 
 namespace {
 
-/// Whether no slab touches a row of nodes that another slab of its parity touches.
+constexpr std::int64_t steps_between_looks = 100; // points cross a small part of a cell in that time
+constexpr Index one_in = 20;                      // points out of order that are put up with
+
 template <int Dim>
-bool slabs_are_apart(const Body<Dim>& body) {
-  std::array<Index, 2> highest{-1, -1}; // row touched so far, by parity
-  for (Index s = 0; s < body.slabs.count(); ++s) {
-    const Range points = body.slabs.range(s);
-    Index low = std::numeric_limits<Index>::max(), high = -1;
-    for (Index p = points.begin / pack_size * pack_size; p < points.end; p += pack_size) {
-      const StencilGroup<Dim>& group = body.stencils.group_of(p);
-      low = std::min(low, group.lowest_row);
-      high = std::max(high, group.highest_row);
+void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
+  const Points<Dim>& points = body.points;
+  for (Index b = 0; b < points.size(); b += stencil_block) {
+    const Range block{b, std::min(b + stencil_block, points.size())};
+    const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, points, block, state.clock);
+    for (Index p = b; p < block.end; ++p) {
+      if (!stencils.group_of(p).lost[p % pack_size]) continue;
+      std::string where;
+      for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(points.position[a][p]);
+      throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name + "' left the grid at (" + where +
+                     ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
     }
-    if (points.size() == 0) continue;
-    if (low <= highest[s % 2]) return false;
-    highest[s % 2] = std::max(highest[s % 2], high);
-  }
-  return true;
-}
-
-template <int Dim>
-void evaluate(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
-  for_each_block(body.points.size(),
-                 [&](Range block) { model.scheme->evaluate(state.grid, body.points, block, body.stencils); });
-}
-
-template <int Dim>
-void check_that_none_is_lost(const State<Dim>& state, const Body<Dim>& body) {
-  for (Index p = 0; p < body.points.size(); ++p) {
-    if (!body.stencils.group_of(p).lost[p % pack_size]) continue;
-    std::string where;
-    for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(body.points.position[a][p]);
-    throw RunError("point " + std::to_string(body.points.id[p]) + " of '" + body.name + "' left the grid at (" + where +
-                   ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
   }
 }
 
 template <int Dim>
-void sort_points(const State<Dim>& state, Body<Dim>& body, Index rows) {
+void sort_points(State<Dim>& state, Body<Dim>& body, Index rows) {
+  const PhaseClock::Lap lap(state.clock, Phase::sorting);
   sort_by_cell(state.grid, rows, body.points, body.slabs, body.sort_space);
   if (body.averager) body.averager->forget_neighbours();
 }
@@ -51,34 +33,54 @@ void sort_points(const State<Dim>& state, Body<Dim>& body, Index rows) {
 } // namespace
 
 template <int Dim>
-void locate_points(State<Dim>& state, const Model<Dim>& model) {
-  for (Body<Dim>& body : state.bodies) {
-    evaluate(state, model, body);
-    check_that_none_is_lost(state, body);
-    if (slabs_are_apart(body)) continue;
-    sort_points(state, body, body.slabs.rows);
-    evaluate(state, model, body);
-    while (!slabs_are_apart(body)) { // supports wider than foreseen
-      sort_points(state, body, 2 * body.slabs.rows);
-      evaluate(state, model, body);
-    }
-  }
-}
-
-template <int Dim>
 void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   state.nodes.resize(state.grid.node_count());
   for (Body<Dim>& body : state.bodies) {
-    body.stencils.resize(body.points.size(), model.scheme->max_nodes());
-    // Thick enough for the support on both sides, for packs that straddle two slabs, and for points to drift by a row.
+    body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
+    body.way.resize(body.points.size());
+    // Thick enough for the support on both sides and for points to drift by two rows.
     sort_points(state, body, 6 + 2 * model.scheme->margin());
   }
   for (RigidBody<Dim>& body : state.rigid_bodies) body.stencils.resize(body.points.size(), model.scheme->max_nodes());
 }
 
-template void locate_points<2>(State<2>&, const Model<2>&);
-template void locate_points<3>(State<3>&, const Model<3>&);
+template <int Dim>
+void locate_points(State<Dim>& state, const Model<Dim>& model) {
+  for (Body<Dim>& body : state.bodies) {
+    if (state.step % steps_between_looks == 0) {
+      const PhaseClock::Lap lap(state.clock, Phase::sorting);
+      if (out_of_order(state.grid, body.points, body.sort_space) * one_in > body.points.size())
+        sort_points(state, body, body.slabs.rows);
+    }
+    body.stencils.begin_step(*model.scheme, state.grid, body.points, state.clock);
+  }
+}
+
+template <int Dim>
+void keep_stencils(State<Dim>& state, const Model<Dim>& model) {
+  for (Body<Dim>& body : state.bodies) {
+    if (body.stencils.keeps()) continue;
+    body.stencils.resize(body.points.size(), model.scheme->max_nodes(), true);
+    body.stencils.begin_step(*model.scheme, state.grid, body.points, state.clock);
+  }
+}
+
+template <int Dim>
+void sort_strays(State<Dim>& state, const Model<Dim>& model, bool thicker) {
+  for (Body<Dim>& body : state.bodies) {
+    throw_if_lost(state, model, body);
+    sort_points(state, body, thicker ? 2 * body.slabs.rows : body.slabs.rows);
+    body.stencils.begin_step(*model.scheme, state.grid, body.points, state.clock);
+  }
+}
+
 template void prepare_points<2>(State<2>&, const Model<2>&);
 template void prepare_points<3>(State<3>&, const Model<3>&);
+template void locate_points<2>(State<2>&, const Model<2>&);
+template void locate_points<3>(State<3>&, const Model<3>&);
+template void keep_stencils<2>(State<2>&, const Model<2>&);
+template void keep_stencils<3>(State<3>&, const Model<3>&);
+template void sort_strays<2>(State<2>&, const Model<2>&, bool);
+template void sort_strays<3>(State<3>&, const Model<3>&, bool);
 
 } // namespace riedel

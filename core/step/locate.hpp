@@ -5,13 +5,21 @@
 
 namespace riedel {
 
-/// N_ip and ∇N_ip of all points. Sorts a body's points anew when some have moved so far that two slabs of one parity
-/// would touch a common node. Throws RunError naming the first point whose support leaves the grid.
-template <int Dim>
-void locate_points(State<Dim>& state, const Model<Dim>& model);
-
 /// Sizes stencils and nodes for the state's points and grid, and sorts the points.
 template <int Dim>
 void prepare_points(State<Dim>& state, const Model<Dim>& model);
+
+/// At the start of a step: stencils, and now and then a look at whether the points are still in order.
+template <int Dim>
+void locate_points(State<Dim>& state, const Model<Dim>& model);
+
+/// From now on the stencils of all points are kept from the start of a step to its end.
+template <int Dim>
+void keep_stencils(State<Dim>& state, const Model<Dim>& model);
+
+/// For points that stray from the rows of their slab: sorts them anew, into thicker slabs if that has been tried
+/// already. Throws RunError naming the first point whose support leaves the grid.
+template <int Dim>
+void sort_strays(State<Dim>& state, const Model<Dim>& model, bool thicker);
 
 } // namespace riedel

@@ -49,8 +49,8 @@ template <int Dim>
 void Simulation<Dim>::survey_bodies() {
   double wave = 0.0, fastest_squared = 0.0;
   std::int64_t outside = 0;
-  for (const Body<Dim>& body : state_.bodies) {
-    const Survey found = survey(body);
+  for (Body<Dim>& body : state_.bodies) {
+    const Survey found = survey(body, surveys_);
     wave = std::max(wave, found.wave_speed);
     outside += found.out_of_bounds;
     for (Index p = 0; p < body.points.size(); ++p)

@@ -41,6 +41,7 @@ private:
   State<Dim> state_;
   double time_step_ = 0.0, crossing_time_ = 0.0, potential_at_start_ = 0.0;
   std::int64_t out_of_bounds_ = 0;
+  std::vector<Survey> surveys_; ///< working space
 };
 
 } // namespace riedel

@@ -6,7 +6,7 @@
 #include "core/interface/nonlocal_averager.hpp"
 #include "core/state/cell_order.hpp"
 #include "core/state/nodes.hpp"
-#include "core/state/stencils.hpp"
+#include "core/step/stencil_blocks.hpp"
 
 #include <functional>
 #include <memory>
@@ -21,9 +21,12 @@ struct Body {
   std::unique_ptr<NonlocalAverager<Dim>> averager; ///< null: local
   int averaged_state = -1;                         ///< column of the state averaged; −1: the rate norm ‖D‖
   Points<Dim> points;
-  Stencils<Dim> stencils;
+  StencilBlocks<Dim> stencils;
   Slabs slabs;
-  SortSpace sort_space;
+  Columns way{Dim}; ///< Δt Σ N_ip v_i, kept for the points' move at the end of a MUSL step [m]
+
+  SortSpace sort_space;          ///< working space
+  std::vector<char> slab_strays; ///< working space: whether points of a slab touch rows that are not theirs
 };
 
 /// A rigid block of points that moves through a fixed grid and imposes its velocity, along one axis, on every node its

@@ -3,6 +3,8 @@
 #include "core/base/parallel.hpp"
 #include "core/step/rotation.hpp"
 
+#include <numeric>
+
 namespace riedel {
 
 namespace {
@@ -27,23 +29,28 @@ struct Block {
   }
 
   void fill_rate(const Points<Dim>& points) {
-    for (Index p = range.begin, i = 0; p < range.end; ++p, ++i) {
-      Mat<3> L = Mat<3>::Zero();
-      L.template topLeftCorner<Dim, Dim>() = points.velocity_gradient_of(p);
-      const Sym<double> d = to_sym(0.5 * (L + L.transpose()));
-      for (int c = 0; c < 6; ++c) D[c][i] = d.m[c];
+    const auto L = [&](int i, int j, Index p) { return Pack::load(points.velocity_gradient[i * Dim + j] + p); };
+    for (Index p = range.begin, i = 0; p < range.end; p += pack_size, i += pack_size) {
+      Sym<Pack> d = Sym<Pack>::zero();
+      for (int a = 0; a < Dim; ++a) {
+        d.m[a] = L(a, a, p);
+        for (int b = 0; b < a; ++b) d.m[a + b + 2] = Pack(std::numbers::sqrt2 / 2) * (L(a, b, p) + L(b, a, p));
+      }
+      for (int c = 0; c < 6; ++c) d.m[c].store(D[c].data() + i);
     }
   }
 
   /// Σ V σ:D with the stress as it is now [W or W/m]
   [[nodiscard]] double power(const Points<Dim>& points) const {
-    double sum = 0.0;
-    for (Index p = range.begin, i = 0; p < range.end; ++p, ++i) {
-      double density = 0.0;
-      for (int c = 0; c < 6; ++c) density += batch.stress[c][i] * D[c][i];
-      sum += points.volume[0][p] * density;
+    Pack sum(0.0); // columns are padded with points of no volume
+    for (Index p = range.begin, i = 0; p < range.end; p += pack_size, i += pack_size) {
+      Pack density(0.0);
+      for (int c = 0; c < 6; ++c) density += Pack::load(batch.stress[c] + i) * Pack::load(D[c].data() + i);
+      sum += Pack::load(points.volume[0] + p) * density;
     }
-    return sum;
+    alignas(64) std::array<double, pack_size> lane;
+    sum.store(lane.data());
+    return std::accumulate(lane.begin(), lane.end(), 0.0);
   }
 };
 
@@ -148,21 +155,23 @@ void update_stress(State<Dim>& state, double dt) {
 }
 
 template <int Dim>
-Survey survey(const Body<Dim>& body) {
-  Survey all;
-  auto& points = const_cast<Points<Dim>&>(body.points); // a survey only reads the columns
-  for (Index b = 0; b < blocks_of(points.size()); ++b) {
-    const Block<Dim> block(points, block_range(b, points.size()), 0.0);
-    const Survey part = body.material->survey(block.batch);
-    all.wave_speed = std::max(all.wave_speed, part.wave_speed);
-    all.out_of_bounds += part.out_of_bounds;
-  }
-  return all;
+Survey survey(Body<Dim>& body, std::vector<Survey>& parts) {
+  return reduce_blocks(
+      body.points.size(), parts, Survey{},
+      [&](Range range) {
+        const Block<Dim> block(body.points, range, 0.0);
+        return body.material->survey(block.batch);
+      },
+      [](Survey all, const Survey& part) {
+        all.wave_speed = std::max(all.wave_speed, part.wave_speed);
+        all.out_of_bounds += part.out_of_bounds;
+        return all;
+      });
 }
 
 template void update_stress<2>(State<2>&, double);
 template void update_stress<3>(State<3>&, double);
-template Survey survey<2>(const Body<2>&);
-template Survey survey<3>(const Body<3>&);
+template Survey survey<2>(Body<2>&, std::vector<Survey>&);
+template Survey survey<3>(Body<3>&, std::vector<Survey>&);
 
 } // namespace riedel

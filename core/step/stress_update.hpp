@@ -12,8 +12,8 @@ constexpr int most_state_columns = 64; ///< that a law may declare
 template <int Dim>
 void update_stress(State<Dim>& state, double dt);
 
-/// Greatest wave speed, and points outside the law's bounds, of one body.
+/// Greatest wave speed, and points outside the law's bounds, of one body. @param parts working space
 template <int Dim>
-Survey survey(const Body<Dim>& body);
+Survey survey(Body<Dim>& body, std::vector<Survey>& parts);
 
 } // namespace riedel

@@ -1,6 +1,7 @@
 #include "core/step/usf.hpp"
 
-#include "core/step/kinematics.hpp"
+#include "core/step/grid_to_points.hpp"
+#include "core/step/locate.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
 
@@ -8,14 +9,15 @@ namespace riedel {
 
 template <int Dim>
 void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
-  map_mass_and_momentum(state); // m_i, (mv)_i, v_i
+  keep_stencils(state, model);         // domains deform on the way, weights must not
+  map_mass_and_momentum(state, model); // m_i, (mv)_i, v_i
   hold_velocities(state, state.time);
-  update_kinematics(state, dt);           // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
+  update_kinematics(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   update_stress(state, dt);               // d*, rotation, law
   map_forces(state, model);               // f_i = Σ_p N_ip m_p b − Σ_p V_p (σ_p + p I) ∇N_ip
   advance_momentum(state, dt);            // v_i = ((mv)_i + f_i Δt)/m_i
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions
-  grid_to_points(state, model, dt);       // v_p, x_p
+  move_points(state, model, dt);          // v_p, x_p
 }
 
 template void usf_step<2>(State<2>&, const Model<2>&, double);

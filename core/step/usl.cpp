@@ -1,6 +1,6 @@
 #include "core/step/usl.hpp"
 
-#include "core/step/kinematics.hpp"
+#include "core/step/grid_to_points.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
 
@@ -11,8 +11,7 @@ void usl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   points_to_grid(state, model);           // m_i, (mv)_i, f_i = Σ_p N_ip m_p b − Σ_p V_p (σ_p + p I) ∇N_ip
   advance_momentum(state, dt);            // v_i = ((mv)_i + f_i Δt)/m_i
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions
-  grid_to_points(state, model, dt);       // v_p, x_p
-  update_kinematics(state, dt);           // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
+  grid_to_points(state, model, dt);       // v_p, x_p, L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   update_stress(state, dt);               // d*, rotation, law
 }
 

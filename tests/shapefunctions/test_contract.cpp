@@ -134,8 +134,8 @@ void rows_and_margin_hold_the_support(const std::string& name) {
     EXPECT_LE(group.count, cloud.shape->max_nodes());
     for (int e = 0; e < group.count; ++e) {
       const Counts<Dim> node = cloud.grid.index(group.node[e * pack_size + p % pack_size]);
-      EXPECT_GE(node[Dim - 1], group.lowest_row);
-      EXPECT_LE(node[Dim - 1], group.highest_row);
+      EXPECT_GE(node[Dim - 1], group.lowest[p % pack_size]);
+      EXPECT_LE(node[Dim - 1], group.highest[p % pack_size]);
       for (int a = 0; a < Dim; ++a) {
         const double away = (cloud.grid.position(node)[a] - cloud.points.position[a][p]) / cloud.grid.cell[a];
         EXPECT_LE(std::abs(away), cloud.shape->margin() + 2.0);

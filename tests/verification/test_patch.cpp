@@ -1,6 +1,6 @@
 /// Patch tests through the machinery of a step: a linear velocity field gives its exact gradient, and a body in uniform
 /// translation stays free of strain and stress while it crosses cells.
-#include "core/step/kinematics.hpp"
+#include "core/step/grid_to_points.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
@@ -56,7 +56,7 @@ void a_linear_field_gives_its_gradient(const std::string& name) {
     state.nodes.motion[i].velocity = A * state.grid.position(state.grid.index(i)) + Vec<Dim>::Constant(7.0);
 
   const double dt = 0.02;
-  update_kinematics(state, dt);
+  update_kinematics(state, model, dt);
   const Points<Dim>& points = state.bodies[0].points;
   const Mat<Dim> D = 0.5 * (A + A.transpose());
   const double shear = std::sqrt(2.0 * (D.squaredNorm() - square(D.trace()) / 3.0));

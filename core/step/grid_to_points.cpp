@@ -1,0 +1,111 @@
+#include "core/step/grid_to_points.hpp"
+
+#include "core/step/point_motion.hpp"
+#include "core/step/transfer.hpp"
+
+namespace riedel {
+
+namespace {
+
+/// Calls `use(stencil, points, p)` for every eight points of all bodies.
+template <int Dim, class Use>
+void for_each_group(State<Dim>& state, const Model<Dim>& model, const Use& use) {
+  for (Body<Dim>& body : state.bodies)
+    for_each_block(body.points.size(), [&](Range whole) {
+      for (Index b = whole.begin; b < whole.end; b += stencil_block) {
+        const Range block{b, std::min(b + stencil_block, whole.end)};
+        const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
+        for (Index p = b; p < block.end; p += pack_size) use(stencils.group_of(p), body, p);
+      }
+    });
+}
+
+template <int Dim>
+void set_velocity(Points<Dim>& points, Index p, const NewMotion<Dim>& motion) {
+  for (int a = 0; a < Dim; ++a) motion.velocity[a].store(points.velocity[a] + p);
+}
+
+/// The lanes of a group that belong to its slab; the others are another thread's.
+void store_lanes(double* column, const Pack& values, Range lanes) {
+  if (lanes.size() == pack_size) return values.store(column);
+  std::array<double, pack_size> lane;
+  values.store(lane.data());
+  std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
+}
+
+} // namespace
+
+template <int Dim>
+void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
+  const PhaseClock::Lap lap(state.clock, Phase::g2p);
+  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
+    const NewMotion<Dim> motion = new_motion(stencil, state.nodes, body.points, p, model.flip, dt);
+    set_velocity(body.points, p, motion);
+    move(body.points, p, motion.way);
+  });
+}
+
+template <int Dim>
+void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
+  const PhaseClock::Lap lap(state.clock, Phase::kinematics);
+  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
+    deform(stencil, state.nodes, body.points, p, dt);
+  });
+}
+
+template <int Dim>
+void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
+  const PhaseClock::Lap lap(state.clock, Phase::g2p);
+  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
+    const NewMotion<Dim> motion = new_motion(stencil, state.nodes, body.points, p, model.flip, dt);
+    set_velocity(body.points, p, motion);
+    move(body.points, p, motion.way);
+    deform(stencil, state.nodes, body.points, p, dt);
+  });
+}
+
+template <int Dim>
+void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
+  {
+    const PhaseClock::Lap lap(state.clock, Phase::g2p);
+    parallel_for(state.nodes.size(), [&](Index i) { state.nodes.sums[i].momentum.setZero(); });
+    for (Body<Dim>& body : state.bodies)
+      add_in_slab_order(state, model, body, [&](const SlabGroup<Dim>& group) {
+        Points<Dim>& points = body.points;
+        const NewMotion<Dim> motion = new_motion(group.stencil, state.nodes, points, group.first, model.flip, dt);
+        Momenta<Dim> momenta;
+        const Pack m = Pack::load(points.mass[0] + group.first);
+        for (int a = 0; a < Dim; ++a) {
+          store_lanes(points.velocity[a] + group.first, motion.velocity[a], group.lanes);
+          store_lanes(body.way[a] + group.first, motion.way[a], group.lanes);
+          momenta.put(a, m * motion.velocity[a]);
+        }
+        scatter_momenta(group, momenta, state.nodes);
+      });
+  }
+  divide_momentum(state);
+}
+
+template <int Dim>
+void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
+  const PhaseClock::Lap lap(state.clock, Phase::kinematics);
+  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
+    deform(stencil, state.nodes, body.points, p, dt);
+    std::array<Pack, Dim> way;
+    for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
+    move(body.points, p, way);
+  });
+}
+
+template void move_points<2>(State<2>&, const Model<2>&, double);
+template void move_points<3>(State<3>&, const Model<3>&, double);
+template void update_kinematics<2>(State<2>&, const Model<2>&, double);
+template void update_kinematics<3>(State<3>&, const Model<3>&, double);
+template void grid_to_points<2>(State<2>&, const Model<2>&, double);
+template void grid_to_points<3>(State<3>&, const Model<3>&, double);
+template void remap_velocity<2>(State<2>&, const Model<2>&, double);
+template void remap_velocity<3>(State<3>&, const Model<3>&, double);
+template void deform_and_move<2>(State<2>&, const Model<2>&, double);
+template void deform_and_move<3>(State<3>&, const Model<3>&, double);
+
+} // namespace riedel

@@ -1,0 +1,76 @@
+/// How eight points take up the motion of the grid. Columns are padded to whole packs, so lanes past the last point do
+/// no harm.
+#pragma once
+
+#include "core/step/scatter.hpp"
+
+namespace riedel {
+
+/// L_ij = ∂v_i/∂x_j of eight points.
+template <int Dim>
+using PackMatrix = std::array<std::array<Pack, Dim>, Dim>;
+
+/// v_p after the step, and the points' way Δt Σ N_ip v_i.
+template <int Dim>
+struct NewMotion {
+  std::array<Pack, Dim> velocity, way;
+};
+
+/// v_p ← flip (v_p + Δt Σ N_ip a_i) + (1 − flip) Σ N_ip v_i.
+template <int Dim>
+NewMotion<Dim> new_motion(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, const Points<Dim>& points, Index p,
+                          double flip, double dt) {
+  Gathered<Dim> sum;
+  gather_values(stencil, nodes, sum);
+  NewMotion<Dim> motion;
+  for (int i = 0; i < Dim; ++i) {
+    const Pack v = sum.column(i), a = sum.column(Dim + i);
+    motion.velocity[i] = Pack(flip) * (Pack::load(points.velocity[i] + p) + Pack(dt) * a) + Pack(1.0 - flip) * v;
+    motion.way[i] = Pack(dt) * v;
+  }
+  return motion;
+}
+
+/// x_p ← x_p + way.
+template <int Dim>
+void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pack, Dim>>& way) {
+  for (int a = 0; a < Dim; ++a) (Pack::load(points.position[a] + p) + way[a]).store(points.position[a] + p);
+}
+
+inline Pack determinant(const PackMatrix<2>& a) { return a[0][0] * a[1][1] - a[0][1] * a[1][0]; }
+inline Pack determinant(const PackMatrix<3>& a) {
+  return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+         a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+}
+
+/// L_p = Σ_i v_i ⊗ ∇N_ip, F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.
+template <int Dim>
+void deform(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, Points<Dim>& points, Index p, double dt) {
+  std::array<Gathered<Dim>, Dim> slopes;
+  gather_slopes(stencil, nodes, slopes);
+  PackMatrix<Dim> L, old, F;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      L[i][j] = slopes[j].column(i);
+      L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
+      old[i][j] = Pack::load(points.deformation_gradient[i * Dim + j] + p);
+    }
+  Pack squared(0.0), trace(0.0);
+  for (int i = 0; i < Dim; ++i) {
+    trace += L[i][i];
+    for (int j = 0; j < Dim; ++j) {
+      F[i][j] = old[i][j];
+      for (int k = 0; k < Dim; ++k) F[i][j] += Pack(dt) * L[i][k] * old[k][j];
+      F[i][j].store(points.deformation_gradient[i * Dim + j] + p);
+      const Pack D = Pack(0.5) * (L[i][j] + L[j][i]);
+      squared += D * D;
+    }
+  }
+  (Pack::load(points.initial_volume[0] + p) * determinant(F)).store(points.volume[0] + p);
+  sqrt(squared).store(points.rate_norm[0] + p);
+  const Pack deviatoric = max(squared - trace * trace * Pack(1.0 / 3.0), Pack(0.0)); // ‖dev D‖²
+  double* const shear = points.shear_strain[0] + p;
+  (Pack::load(shear) + Pack(dt) * sqrt(deviatoric + deviatoric)).store(shear);
+}
+
+} // namespace riedel

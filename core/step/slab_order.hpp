@@ -1,0 +1,53 @@
+/// Sums of points on nodes, in one order for any number of threads and without locks: see core/state/cell_order.hpp.
+#pragma once
+
+#include "core/base/parallel.hpp"
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// Eight points of a slab and their stencils; `lanes` are those of the eight that belong to the slab.
+template <int Dim>
+struct SlabGroup {
+  const StencilGroup<Dim>& stencil;
+  Index first; ///< number of the point in lane 0
+  Range lanes;
+};
+
+/// Whether every point of the group is on the grid and touches rows of nodes that its slab may touch.
+template <int Dim>
+bool keeps_to(const SlabGroup<Dim>& group, Range rows) {
+  bool answer = true;
+  for (Index k = group.lanes.begin; k < group.lanes.end; ++k)
+    answer = answer && !group.stencil.lost[k] && group.stencil.lowest[k] >= rows.begin &&
+             group.stencil.highest[k] < rows.end;
+  return answer;
+}
+
+/// Calls `add(group)` for all points of a body, slabs of even number first, then the odd ones; groups that stray from
+/// the rows of their slab are left out. @return whether there were none
+template <int Dim, class Add>
+bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Add& add) {
+  const auto add_slab = [&](Index s) {
+    const Range slab = body.slabs.range(s), rows = body.slabs.node_rows(s);
+    bool all_kept = true;
+    for (Index b = slab.begin / pack_size * pack_size; b < slab.end; b += stencil_block) {
+      const Range block{b, std::min(b + stencil_block, slab.end)};
+      const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
+      for (Index p = b; p < block.end; p += pack_size) {
+        const SlabGroup<Dim> group{
+            stencils.group_of(p), p, {std::max(slab.begin - p, 0), std::min(slab.end - p, Index{pack_size})}};
+        const bool kept = keeps_to(group, rows);
+        if (kept) add(group);
+        all_kept = all_kept && kept;
+      }
+    }
+    body.slab_strays[s] = !all_kept;
+  };
+  body.slab_strays.resize(static_cast<std::size_t>(body.slabs.count()));
+  for (Index parity = 0; parity < 2; ++parity)
+    parallel_for((body.slabs.count() - parity + 1) / 2, [&](Index s) { add_slab(2 * s + parity); });
+  return std::count(body.slab_strays.begin(), body.slab_strays.end(), 0) == body.slabs.count();
+}
+
+} // namespace riedel
