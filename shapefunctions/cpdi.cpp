@@ -46,10 +46,17 @@ Domains<Dim> domains_of(const Points<Dim>& points, Index p) {
   return d;
 }
 
+/// Where the corners of eight domains lie.
+struct Reach {
+  Pack lowest, highest; ///< index along the last axis of the nodes
+  Mask inside;          ///< whether all are on the grid
+};
+
 /// Weights of eight points, corner by corner: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1,
 /// …) tells the corner; for a parallelogram these are eqs. (18) and (20) of the paper.
 template <int Dim>
-void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, StencilGroup<Dim>& group) {
+void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, StencilEntries<Dim> entries,
+                Reach& reach) {
   constexpr int corners = power(2, Dim);
   PackVector<Dim> x = domains.centre, weight_of_slope;
   weight_of_slope.fill(Pack(0.0));
@@ -62,26 +69,20 @@ void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, 
   }
 
   PackVector<Dim> xi; // place in the corner's cell, 0 to 1
-  std::array<Index, pack_size> base{};
   const Counts<Dim> strides = grid.strides();
+  Pack base(0.0), row;
   for (int a = 0; a < Dim; ++a) {
     const Pack place = (x[a] - Pack(grid.origin[a])) * Pack(1.0 / grid.cell[a]), lowest = floor(place);
+    const Mask fits = lowest >= Pack(0.0) && lowest <= Pack(grid.nodes[a] - 2); // false for NaN too
     xi[a] = place - lowest;
-    std::array<double, pack_size> low{};
-    lowest.store(low.data());
-    const double last = grid.nodes[a] - 2;
-    for (int k = 0; k < pack_size; ++k) {
-      const bool inside = low[k] >= 0.0 && low[k] <= last; // false for NaN too
-      group.lost[k] = group.lost[k] || !inside;
-      const Index first = static_cast<Index>(inside ? low[k] : 0.0);
-      base[k] += first * strides[a];
-      if (a == Dim - 1) {
-        group.lowest[k] = std::min(group.lowest[k], first);
-        group.highest[k] = std::max(group.highest[k], first + 1);
-      }
-    }
+    row = select(fits, lowest, Pack(0.0));
+    base += row * Pack(strides[a]);
+    reach.inside = reach.inside && fits;
   }
+  reach.lowest = min(reach.lowest, row);
+  reach.highest = max(reach.highest, row + Pack(1.0));
 
+  const std::array<Index, pack_size> first = whole_numbers(base);
   for (int n = 0; n < corners; ++n) {
     const int entry = corner * corners + n;
     Pack N(1.0);
@@ -90,9 +91,9 @@ void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, 
       N *= (n >> a) & 1 ? xi[a] : Pack(1.0) - xi[a];
       if ((n >> a) & 1) offset += strides[a];
     }
-    group.set_value(entry, N * Pack(1.0 / corners));
-    for (int a = 0; a < Dim; ++a) group.set_slope(entry, a, N * weight_of_slope[a]);
-    group.set_nodes(entry, base, offset);
+    entries.set_value(entry, N * Pack(1.0 / corners));
+    for (int a = 0; a < Dim; ++a) entries.set_slope(entry, a, N * weight_of_slope[a]);
+    entries.set_nodes(entry, first, offset);
   }
 }
 
@@ -103,12 +104,12 @@ void Cpdi<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range
   for (Index p = block.begin; p < block.end; p += pack_size) {
     StencilGroup<Dim>& group = stencils.group_of(p);
     group.count = power(4, Dim);
-    group.lost.fill(false);
-    group.lowest.fill(grid.nodes[Dim - 1]);
-    group.highest.fill(0);
     const Domains<Dim> domains = domains_of(points, p);
-    for (int corner = 0; corner < power(2, Dim); ++corner) add_corner(grid, domains, corner, group);
-    group.drop_lost_lanes();
+    Reach reach{.lowest = Pack(grid.nodes[Dim - 1]), .highest = Pack(0.0), .inside = Pack(0.0) <= Pack(0.0)};
+    for (int corner = 0; corner < power(2, Dim); ++corner) add_corner<Dim>(grid, domains, corner, group, reach);
+    group.lowest = whole_numbers(reach.lowest);
+    group.highest = whole_numbers(reach.highest);
+    group.keep_lanes(reach.inside);
   }
 }
 

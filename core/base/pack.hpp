@@ -93,6 +93,15 @@ inline std::array<bool, pack_size> lanes(const Mask& m) {
   return answer;
 }
 
+/// Lane by lane, fractions cut off.
+inline std::array<Index, pack_size> whole_numbers(const Pack& a) {
+  std::array<double, pack_size> lane;
+  a.store(lane.data());
+  std::array<Index, pack_size> answer;
+  for (int k = 0; k < pack_size; ++k) answer[k] = static_cast<Index>(lane[k]);
+  return answer;
+}
+
 inline Pack select(const Mask& m, const Pack& yes, const Pack& no) {
   return Pack::make([&](int i) { return xsimd::select(m.r[i], yes.r[i], no.r[i]); });
 }

@@ -6,31 +6,46 @@
 
 namespace riedel {
 
-/// The stencils of eight consecutive points, one per lane. Entry a of lane k stands at a·8 + k; a node may appear in
-/// more than one entry of a point.
+/// The entries of eight stencils, one stencil per lane: entry a of lane k stands at a·8 + k. Copied by value into
+/// loops, so that the compiler knows that the pointers stay what they are.
 template <int Dim>
-struct StencilGroup {
+struct StencilEntries {
+  Index* node = nullptr;   ///< [count][8]
+  double* value = nullptr; ///< N_ip [-], [count][8]
+  double* slope = nullptr; ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+
+  void set_value(int entry, const Pack& N) const { N.store(value + entry * pack_size); }
+  void set_slope(int entry, int axis, const Pack& dN) const { dN.store(slope + (entry * Dim + axis) * pack_size); }
+  /// Node numbers of an entry: each lane's base and a common offset.
+  void set_nodes(int entry, const std::array<Index, pack_size>& base, Index offset) const {
+    for (int k = 0; k < pack_size; ++k) node[entry * pack_size + k] = base[k] + offset;
+  }
+  [[nodiscard]] Index node_of(int entry, Index lane) const { return node[entry * pack_size + lane]; }
+  [[nodiscard]] double value_of(int entry, Index lane) const { return value[entry * pack_size + lane]; }
+  [[nodiscard]] double slope_of(int entry, int axis, Index lane) const {
+    return slope[(entry * Dim + axis) * pack_size + lane];
+  }
+};
+
+/// The stencils of eight consecutive points; a node may appear in more than one entry of a point.
+template <int Dim>
+struct StencilGroup : StencilEntries<Dim> {
   int count = 0;                         ///< entries in use
   std::array<Index, pack_size> lowest{}; ///< least and greatest index along the last axis of the nodes in each lane
   std::array<Index, pack_size> highest{};
   std::array<bool, pack_size> lost{}; ///< this lane's support leaves the grid; its weights are zero
-  Index* node = nullptr;              ///< [count][8]
-  double* value = nullptr;            ///< N_ip [-], [count][8]
-  double* slope = nullptr;            ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
 
-  void set_value(int entry, const Pack& N) { N.store(value + entry * pack_size); }
-  /// Node numbers of an entry: each lane's base and a common offset.
-  void set_nodes(int entry, const std::array<Index, pack_size>& base, Index offset) {
-    for (int k = 0; k < pack_size; ++k) node[entry * pack_size + k] = base[k] + offset;
-  }
-  void set_slope(int entry, int axis, const Pack& dN) { dN.store(slope + (entry * Dim + axis) * pack_size); }
-  /// Zeroes the weights of lost lanes, so that they may be used without a look at the flags.
-  void drop_lost_lanes() {
-    for (std::size_t k = 0; k < pack_size; ++k) {
-      if (!lost[k]) continue;
-      for (std::size_t i = k; i < static_cast<std::size_t>(count * pack_size); i += pack_size)
-        node[i] = 0, value[i] = 0;
-      for (std::size_t i = k; i < static_cast<std::size_t>(count * Dim * pack_size); i += pack_size) slope[i] = 0;
+  /// Marks the lanes that are not in `inside` as lost and zeroes their weights, so that these may be used without a
+  /// look at the flags.
+  void keep_lanes(const Mask& inside) {
+    lost.fill(false);
+    if (all(inside)) return;
+    const std::array<bool, pack_size> kept = lanes(inside);
+    for (int k = 0; k < pack_size; ++k) {
+      lost[k] = !kept[k];
+      if (kept[k]) continue;
+      for (int i = k; i < count * pack_size; i += pack_size) this->node[i] = 0, this->value[i] = 0;
+      for (int i = k; i < count * Dim * pack_size; i += pack_size) this->slope[i] = 0;
     }
   }
 };

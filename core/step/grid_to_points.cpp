@@ -39,7 +39,9 @@ template <int Dim>
 void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
   for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    const NewMotion<Dim> motion = new_motion(stencil, state.nodes, body.points, p, model.flip, dt);
+    Gathered<Dim> sum;
+    gather<Gather::values>(stencil, state.nodes, sum);
+    const NewMotion<Dim> motion = new_motion(sum, body.points, p, model.flip, dt);
     set_velocity(body.points, p, motion);
     move(body.points, p, motion.way);
   });
@@ -49,7 +51,9 @@ template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    deform(stencil, state.nodes, body.points, p, dt);
+    Gathered<Dim> sum;
+    gather<Gather::slopes>(stencil, state.nodes, sum);
+    deform(sum, body.points, p, dt);
   });
 }
 
@@ -57,10 +61,12 @@ template <int Dim>
 void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
   for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    const NewMotion<Dim> motion = new_motion(stencil, state.nodes, body.points, p, model.flip, dt);
+    Gathered<Dim> sum;
+    gather<Gather::both>(stencil, state.nodes, sum);
+    const NewMotion<Dim> motion = new_motion(sum, body.points, p, model.flip, dt);
     set_velocity(body.points, p, motion);
     move(body.points, p, motion.way);
-    deform(stencil, state.nodes, body.points, p, dt);
+    deform(sum, body.points, p, dt);
   });
 }
 
@@ -70,10 +76,11 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
     const PhaseClock::Lap lap(state.clock, Phase::g2p);
     parallel_for(state.nodes.size(), [&](Index i) { state.nodes.sums[i].momentum.setZero(); });
     for (Body<Dim>& body : state.bodies)
-      add_in_slab_order(state, model, body, [&](const SlabGroup<Dim>& group) {
+      add_in_slab_order<Momenta<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Momenta<Dim>& momenta) {
         Points<Dim>& points = body.points;
-        const NewMotion<Dim> motion = new_motion(group.stencil, state.nodes, points, group.first, model.flip, dt);
-        Momenta<Dim> momenta;
+        Gathered<Dim> sum;
+        gather<Gather::values>(group.stencil, state.nodes, sum);
+        const NewMotion<Dim> motion = new_motion(sum, points, group.first, model.flip, dt);
         const Pack m = Pack::load(points.mass[0] + group.first);
         for (int a = 0; a < Dim; ++a) {
           store_lanes(points.velocity[a] + group.first, motion.velocity[a], group.lanes);
@@ -90,7 +97,9 @@ template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    deform(stencil, state.nodes, body.points, p, dt);
+    Gathered<Dim> sum;
+    gather<Gather::slopes>(stencil, state.nodes, sum);
+    deform(sum, body.points, p, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
     move(body.points, p, way);

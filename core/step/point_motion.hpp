@@ -18,13 +18,10 @@ struct NewMotion {
 
 /// v_p ← flip (v_p + Δt Σ N_ip a_i) + (1 − flip) Σ N_ip v_i.
 template <int Dim>
-NewMotion<Dim> new_motion(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, const Points<Dim>& points, Index p,
-                          double flip, double dt) {
-  Gathered<Dim> sum;
-  gather_values(stencil, nodes, sum);
+NewMotion<Dim> new_motion(const Gathered<Dim>& sum, const Points<Dim>& points, Index p, double flip, double dt) {
   NewMotion<Dim> motion;
   for (int i = 0; i < Dim; ++i) {
-    const Pack v = sum.column(i), a = sum.column(Dim + i);
+    const Pack v = sum.values.column(i), a = sum.values.column(Dim + i);
     motion.velocity[i] = Pack(flip) * (Pack::load(points.velocity[i] + p) + Pack(dt) * a) + Pack(1.0 - flip) * v;
     motion.way[i] = Pack(dt) * v;
   }
@@ -45,13 +42,11 @@ inline Pack determinant(const PackMatrix<3>& a) {
 
 /// L_p = Σ_i v_i ⊗ ∇N_ip, F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.
 template <int Dim>
-void deform(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, Points<Dim>& points, Index p, double dt) {
-  std::array<Gathered<Dim>, Dim> slopes;
-  gather_slopes(stencil, nodes, slopes);
+void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double dt) {
   PackMatrix<Dim> L, old, F;
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
-      L[i][j] = slopes[j].column(i);
+      L[i][j] = sum.slopes[j].column(i);
       L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
       old[i][j] = Pack::load(points.deformation_gradient[i * Dim + j] + p);
     }

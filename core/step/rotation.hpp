@@ -25,4 +25,30 @@ inline void rotate_in_plane(Sym<Pack>& a, const Pack& w, double dt) {
   a.m[3] = Pack(std::numbers::sqrt2) * (cos_2 * shear - sin_2 * half_difference);
 }
 
+/// The same for eight points in space. @param w the three of W_32, W_13, W_21 [1/s]
+inline void rotate_in_space(Sym<Pack>& a, const std::array<Pack, 3>& w, double dt) {
+  // With t = w Δt/2 and T x = t × x, Cayley's Q is I + 2 (T + T T)/(1 + t·t).
+  std::array<Pack, 3> t;
+  for (int i = 0; i < 3; ++i) t[i] = Pack(0.5 * dt) * w[i];
+  const Pack scale = Pack(2.0) / (Pack(1.0) + t[0] * t[0] + t[1] * t[1] + t[2] * t[2]);
+  std::array<std::array<Pack, 3>, 3> Q, S, QS;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    Q[i][i] = Pack(1.0) - scale * (t[j] * t[j] + t[k] * t[k]);
+    Q[i][j] = scale * (t[i] * t[j] - t[k]);
+    Q[j][i] = scale * (t[i] * t[j] + t[k]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    S[i][i] = a.m[i];
+    for (int j = 0; j < i; ++j) S[i][j] = S[j][i] = Pack(std::numbers::sqrt2 / 2) * a.m[i + j + 2];
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) QS[i][j] = Q[i][0] * S[0][j] + Q[i][1] * S[1][j] + Q[i][2] * S[2][j];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const Pack rotated = QS[i][0] * Q[j][0] + QS[i][1] * Q[j][1] + QS[i][2] * Q[j][2];
+      a.m[i == j ? i : i + j + 2] = i == j ? rotated : Pack(std::numbers::sqrt2) * rotated;
+    }
+}
+
 } // namespace riedel

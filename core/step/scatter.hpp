@@ -8,7 +8,7 @@ namespace riedel {
 /// Eight rows, one for each of eight points: written and read by columns, used by rows.
 template <int Width>
 struct PointRows {
-  alignas(64) std::array<std::array<double, Width>, pack_size> row{};
+  alignas(64) std::array<std::array<double, Width>, pack_size> row;
 
   void put(int column, const Pack& values) {
     alignas(64) std::array<double, pack_size> lane;
@@ -26,6 +26,12 @@ struct PointRows {
 template <int Dim>
 class Shares {
 public:
+  /// Of no points yet; sums that are never put stay zero.
+  Shares() {
+    for (auto& row : value_.row) row.fill(0.0);
+    for (auto& slope : slope_)
+      for (auto& row : slope.row) row.fill(0.0);
+  }
   void value(int sum, const Pack& of_points) { value_.put(sum, of_points); }
   void slope(int axis, int sum, const Pack& of_points) { slope_[axis].put(sum, of_points); }
   [[nodiscard]] const double* value_of(Index lane) const { return value_.row[lane].data(); }
@@ -39,16 +45,17 @@ private:
 /// sums_i += N_ip value_p + Σ_a ∂N_ip/∂x_a slope_pa for the lanes of the group.
 template <int Dim>
 void scatter(const SlabGroup<Dim>& group, const Shares<Dim>& shares, Nodes<Dim>& nodes) {
-  const StencilGroup<Dim>& stencil = group.stencil;
+  const StencilEntries<Dim> entries = group.stencil;
+  const int count = group.stencil.count;
   NodeSums<Dim>* const sums = nodes.sums.data();
   for (Index k = group.lanes.begin; k < group.lanes.end; ++k) {
     const Pack value = Pack::load(shares.value_of(k));
     std::array<Pack, Dim> slope;
     for (int a = 0; a < Dim; ++a) slope[a] = Pack::load(shares.slope_of(a, k));
-    for (int entry = 0; entry < stencil.count; ++entry) {
-      Pack share = Pack(stencil.value[entry * pack_size + k]) * value;
-      for (int a = 0; a < Dim; ++a) share += Pack(stencil.slope[(entry * Dim + a) * pack_size + k]) * slope[a];
-      sums[stencil.node[entry * pack_size + k]].add(share);
+    for (int entry = 0; entry < count; ++entry) {
+      Pack share = Pack(entries.value_of(entry, k)) * value;
+      for (int a = 0; a < Dim; ++a) share += Pack(entries.slope_of(entry, a, k)) * slope[a];
+      sums[entries.node_of(entry, k)].add(share);
     }
   }
 }
@@ -60,45 +67,48 @@ using Momenta = PointRows<Dim == 2 ? 2 : 4>;
 /// (mv)_i += N_ip m_p v_p for the lanes of the group.
 template <int Dim>
 void scatter_momenta(const SlabGroup<Dim>& group, const Momenta<Dim>& momenta, Nodes<Dim>& nodes) {
-  const StencilGroup<Dim>& stencil = group.stencil;
+  const StencilEntries<Dim> entries = group.stencil;
+  const int count = group.stencil.count;
+  NodeSums<Dim>* const sums = nodes.sums.data();
   for (Index k = group.lanes.begin; k < group.lanes.end; ++k) {
     const Vec<Dim> mv = Vec<Dim>::Map(momenta.row[k].data());
-    for (int entry = 0; entry < stencil.count; ++entry)
-      nodes.sums[stencil.node[entry * pack_size + k]].momentum += stencil.value[entry * pack_size + k] * mv;
+    for (int entry = 0; entry < count; ++entry)
+      sums[entries.node_of(entry, k)].momentum += entries.value_of(entry, k) * mv;
   }
 }
 
 /// A node's motion summed over the stencils of eight points: rows of velocity, then acceleration.
 template <int Dim>
-using Gathered = PointRows<sizeof(typename NodeMotion<Dim>::Record) / sizeof(double)>;
+using MotionRows = PointRows<sizeof(typename NodeMotion<Dim>::Record) / sizeof(double)>;
 
-/// Σ_i N_ip (v_i, a_i).
 template <int Dim>
-void gather_values(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes,
-                   std::type_identity_t<Gathered<Dim>>& sum) {
+struct Gathered {
+  MotionRows<Dim> values;                  ///< Σ_i N_ip (v_i, a_i)
+  std::array<MotionRows<Dim>, Dim> slopes; ///< Σ_i ∂N_ip/∂x_a (v_i, a_i)
+};
+
+enum class Gather { values, slopes, both };
+
+/// Fills what `what` asks for.
+template <Gather what, int Dim>
+void gather(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, Gathered<Dim>& sum) {
   using Record = typename NodeMotion<Dim>::Record;
+  const StencilEntries<Dim> entries = stencil;
+  const int count = stencil.count;
+  const NodeMotion<Dim>* const motions = nodes.motion.data();
   for (int k = 0; k < pack_size; ++k) {
     Record value(0.0);
-    for (int entry = 0; entry < stencil.count; ++entry)
-      value +=
-          Record(stencil.value[entry * pack_size + k]) * nodes.motion[stencil.node[entry * pack_size + k]].record();
-    value.store(sum.row[k].data());
-  }
-}
-
-/// Σ_i ∂N_ip/∂x_a (v_i, a_i) for each axis a.
-template <int Dim>
-void gather_slopes(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes,
-                   std::type_identity_t<std::array<Gathered<Dim>, Dim>>& sum) {
-  using Record = typename NodeMotion<Dim>::Record;
-  for (int k = 0; k < pack_size; ++k) {
     std::array<Record, Dim> slope;
     slope.fill(Record(0.0));
-    for (int entry = 0; entry < stencil.count; ++entry) {
-      const Record motion = nodes.motion[stencil.node[entry * pack_size + k]].record();
-      for (int a = 0; a < Dim; ++a) slope[a] += Record(stencil.slope[(entry * Dim + a) * pack_size + k]) * motion;
+    for (int entry = 0; entry < count; ++entry) {
+      const Record motion = motions[entries.node_of(entry, k)].record();
+      if constexpr (what != Gather::slopes) value += Record(entries.value_of(entry, k)) * motion;
+      if constexpr (what != Gather::values)
+        for (int a = 0; a < Dim; ++a) slope[a] += Record(entries.slope_of(entry, a, k)) * motion;
     }
-    for (int a = 0; a < Dim; ++a) slope[a].store(sum[a].row[k].data());
+    if constexpr (what != Gather::slopes) value.store(sum.values.row[k].data());
+    if constexpr (what != Gather::values)
+      for (int a = 0; a < Dim; ++a) slope[a].store(sum.slopes[a].row[k].data());
   }
 }
 

@@ -24,13 +24,15 @@ bool keeps_to(const SlabGroup<Dim>& group, Range rows) {
   return answer;
 }
 
-/// Calls `add(group)` for all points of a body, slabs of even number first, then the odd ones; groups that stray from
-/// the rows of their slab are left out. @return whether there were none
-template <int Dim, class Add>
+/// Calls `add(group, space)` for all points of a body, slabs of even number first, then the odd ones; groups that stray
+/// from the rows of their slab are left out. `space` is working space that the groups of a slab share.
+/// @return whether all points were added
+template <class Space, int Dim, class Add>
 bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Add& add) {
   const auto add_slab = [&](Index s) {
     const Range slab = body.slabs.range(s), rows = body.slabs.node_rows(s);
     bool all_kept = true;
+    Space space;
     for (Index b = slab.begin / pack_size * pack_size; b < slab.end; b += stencil_block) {
       const Range block{b, std::min(b + stencil_block, slab.end)};
       const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
@@ -38,7 +40,7 @@ bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& bo
         const SlabGroup<Dim> group{
             stencils.group_of(p), p, {std::max(slab.begin - p, 0), std::min(slab.end - p, Index{pack_size})}};
         const bool kept = keeps_to(group, rows);
-        if (kept) add(group);
+        if (kept) add(group, space);
         all_kept = all_kept && kept;
       }
     }

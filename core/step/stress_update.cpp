@@ -85,15 +85,18 @@ void rotate_block(Body<2>& body, Range block, double dt) {
 }
 
 void rotate_block(Body<3>& body, Range block, double dt) {
-  for (Index p = block.begin; p < block.end; ++p) {
-    const Mat<3> Q = rotation_of(body.points.velocity_gradient_of(p), dt);
-    for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
-      Sym<double> a;
-      for (int c = 0; c < 6; ++c) a.m[c] = tensor[c][p];
-      a = rotated(a, Q);
-      for (int c = 0; c < 6; ++c) tensor[c][p] = a.m[c];
-    });
-  }
+  const Columns& L = body.points.velocity_gradient;
+  const auto w = [&](int i, int j, Index p) {
+    return Pack(0.5) * (Pack::load(L[i * 3 + j] + p) - Pack::load(L[j * 3 + i] + p));
+  };
+  for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
+    for (Index p = block.begin; p < block.end; p += pack_size) {
+      Sym<Pack> a;
+      for (int c = 0; c < 6; ++c) a.m[c] = Pack::load(tensor[c] + p);
+      rotate_in_space(a, {w(2, 1, p), w(0, 2, p), w(1, 0, p)}, dt);
+      for (int c = 0; c < 6; ++c) a.m[c].store(tensor[c] + p);
+    }
+  });
 }
 
 template <int Dim>

@@ -33,21 +33,23 @@ void put_forces(const Points<Dim>& points, Index p, const Model<Dim>& model, Sha
   }
 }
 
-/// The first sums of a step: sorts points that stray and starts again. @param fill (points, p, shares)
+/// Adds what `fill(points, p, shares)` says that eight points give. @return whether no point strayed from its slab
+template <int Dim, class Fill>
+bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
+  return add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
+    fill(body.points, group.first, shares);
+    scatter(group, shares, state.nodes);
+  });
+}
+
+/// The first sums of a step: sorts points that stray and starts again.
 template <int Dim, class Fill>
 void sum_from_zero(State<Dim>& state, const Model<Dim>& model, const Fill& fill) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);
   for (int attempt = 0;; ++attempt) {
     state.nodes.clear_sums();
     bool complete = true;
-    for (Body<Dim>& body : state.bodies)
-      complete = add_in_slab_order(state, model, body,
-                                   [&](const SlabGroup<Dim>& group) {
-                                     Shares<Dim> shares;
-                                     fill(body.points, group.first, shares);
-                                     scatter(group, shares, state.nodes);
-                                   }) &&
-                 complete;
+    for (Body<Dim>& body : state.bodies) complete = add_shares(state, model, body, fill) && complete;
     if (complete) return;
     sort_strays(state, model, attempt > 0);
   }
@@ -80,11 +82,8 @@ template <int Dim>
 void map_forces(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);
   for (Body<Dim>& body : state.bodies)
-    add_in_slab_order(state, model, body, [&](const SlabGroup<Dim>& group) {
-      Shares<Dim> shares;
-      put_forces(body.points, group.first, model, shares);
-      scatter(group, shares, state.nodes);
-    });
+    add_shares(state, model, body,
+               [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) { put_forces(points, p, model, shares); });
   add_surface_pressures(state, model);
 }
 

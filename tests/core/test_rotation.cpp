@@ -73,6 +73,30 @@ TEST(Rotation, IsTheSameInThePlaneForAPackAsInThreeDimensions) {
   }
 }
 
+TEST(Rotation, IsTheSameInSpaceForAPackAsForEachPoint) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const double dt = 0.7;
+  std::array<std::array<double, pack_size>, 9> column; // σ in Mandel components, W32, W13, W21
+  for (auto& numbers : column)
+    for (double& x : numbers) x = unit(random);
+  Sym<Pack> all;
+  for (std::size_t c = 0; c < 6; ++c) all.m[c] = Pack::load(column[c].data());
+  rotate_in_space(all, {Pack::load(column[6].data()), Pack::load(column[7].data()), Pack::load(column[8].data())}, dt);
+
+  for (std::size_t k = 0; k < pack_size; ++k) {
+    Sym<double> alone;
+    for (std::size_t c = 0; c < 6; ++c) alone.m[c] = column[c][k];
+    const Vec<3> w(column[6][k], column[7][k], column[8][k]);
+    alone = rotated(alone, rotation_of(spin(w), dt));
+    for (std::size_t c = 0; c < 6; ++c) {
+      std::array<double, pack_size> lane;
+      all.m[c].store(lane.data());
+      EXPECT_NEAR(lane[k], alone.m[c], 1e-14);
+    }
+  }
+}
+
 /// Distance from the exactly turned stress after turning by 1 rad in `steps` steps.
 double error_after_one_radian(int steps) {
   const Vec<3> axis = Vec<3>(2, -1, 3).normalized();
