@@ -40,10 +40,10 @@ struct Model {
   Vec<Dim> gravity = Vec<Dim>::Zero(); ///< [m/s²]
   double confining_pressure = 0.0;     ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfacePressure<Dim>> surface_pressures;
-  bool keep_stencils = false;   ///< of all points for a step, instead of evaluating them block by block
-  double flip = 0.98;           ///< share of FLIP in the velocity update, the rest is PIC [-]
-  double cfl = 0.5;             ///< share of the stable time step taken [-]
-  double fixed_time_step = 0.0; ///< [s]; 0: from the law's wave speed
+  std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
+  double flip = 0.98;                ///< share of FLIP in the velocity update, the rest is PIC [-]
+  double cfl = 0.5;                  ///< share of the stable time step taken [-]
+  double fixed_time_step = 0.0;      ///< [s]; 0: from the law's wave speed
 };
 
 } // namespace riedel

@@ -9,6 +9,20 @@ namespace riedel {
 namespace {
 constexpr std::int64_t steps_between_surveys = 10; // the wave speed changes by less than 1 % in that time
 
+/// max ‖v_p‖².
+double greatest_square(const Columns& v) {
+  std::array<double, block_size> squared;
+  double greatest = 0.0;
+  for (Index b = 0; b < v.size(); b += block_size) {
+    const Index count = std::min(block_size, v.size() - b);
+    squared.fill(0.0);
+    for (int a = 0; a < v.components(); ++a)
+      for (Index i = 0; i < count; ++i) squared[i] += square(v[a][b + i]);
+    greatest = std::max(greatest, *std::max_element(squared.begin(), squared.begin() + count));
+  }
+  return greatest;
+}
+
 template <int Dim>
 void check_state_columns(const State<Dim>& state) {
   for (const Body<Dim>& body : state.bodies) {
@@ -53,8 +67,7 @@ void Simulation<Dim>::survey_bodies() {
     const Survey found = survey(body, surveys_);
     wave = std::max(wave, found.wave_speed);
     outside += found.out_of_bounds;
-    for (Index p = 0; p < body.points.size(); ++p)
-      fastest_squared = std::max(fastest_squared, body.points.velocity_of(p).squaredNorm());
+    fastest_squared = std::max(fastest_squared, greatest_square(body.points.velocity));
   }
   out_of_bounds_ = std::max(out_of_bounds_, outside);
   crossing_time_ = state_.grid.cell.minCoeff() / (wave + std::sqrt(fastest_squared));

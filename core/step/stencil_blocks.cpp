@@ -4,12 +4,21 @@
 
 namespace riedel {
 
+namespace {
+constexpr std::int64_t cache = 1 << 20; ///< that one core has to itself on today's machines [bytes]
+
 template <int Dim>
-void StencilBlocks<Dim>::resize(Index points, int max_nodes, bool keep) {
-  keeps_ = keep;
+bool fit_into_cache(Index points, int max_nodes) {
+  return std::int64_t{points} * max_nodes * std::int64_t{(1 + Dim) * sizeof(double) + sizeof(Index)} <= cache;
+}
+} // namespace
+
+template <int Dim>
+void StencilBlocks<Dim>::resize(Index points, int max_nodes, std::optional<bool> keep) {
+  keeps_ = keep.value_or(fit_into_cache<Dim>(points, max_nodes));
   max_nodes_ = max_nodes;
   buffers_.clear();
-  kept_.resize(keep ? points : 0, max_nodes);
+  kept_.resize(keeps_ ? points : 0, max_nodes);
 }
 
 template <int Dim>

@@ -4,6 +4,8 @@
 #include "core/base/phase_clock.hpp"
 #include "core/interface/shape_function.hpp"
 
+#include <optional>
+
 namespace riedel {
 
 /// Points whose stencils are evaluated at once and consumed while they are in the processor's nearest cache.
@@ -15,8 +17,8 @@ constexpr Index stencil_block = 32;
 template <int Dim>
 class StencilBlocks {
 public:
-  /// @param points to make room for   @param keep whether to keep all
-  void resize(Index points, int max_nodes, bool keep);
+  /// @param points to make room for   @param keep whether to keep all; empty: if they fit into a core's cache
+  void resize(Index points, int max_nodes, std::optional<bool> keep);
   [[nodiscard]] bool keeps() const { return keeps_; }
 
   /// At the start of a step: room for each thread, and all stencils if they are kept.
