@@ -2,15 +2,15 @@
 /// A formula that is a template on `Real` and calls the functions below runs on either. A mask of a double is a bool.
 #pragma once
 
+#include "core/base/exp_log.hpp"
 #include "core/base/types.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <xsimd/xsimd.hpp>
 
 namespace riedel {
 
 namespace detail {
-using Register = xsimd::batch<double>;
 constexpr int register_size = static_cast<int>(Register::size);
 constexpr int registers = pack_size / register_size;
 static_assert(registers * register_size == pack_size);
@@ -19,6 +19,13 @@ static_assert(registers * register_size == pack_size);
 /// Eight truth values.
 struct Mask {
   std::array<detail::Register::batch_bool_type, detail::registers> r;
+
+  template <class F>
+  static Mask make(F&& f) {
+    Mask m;
+    for (int i = 0; i < detail::registers; ++i) m.r[i] = f(i);
+    return m;
+  }
 };
 
 /// Eight doubles.
@@ -43,13 +50,10 @@ struct Pack {
   Pack& operator*=(const Pack& b);
 };
 
-namespace detail {
-inline Mask compare(const Pack& a, const Pack& b, auto&& f) {
-  Mask m;
-  for (int i = 0; i < registers; ++i) m.r[i] = f(a.r[i], b.r[i]);
-  return m;
-}
-} // namespace detail
+template <class Real>
+using Truth = std::conditional_t<std::is_same_v<Real, Pack>, Mask, bool>;
+template <class Real>
+constexpr int lane_count = std::is_same_v<Real, Pack> ? pack_size : 1;
 
 inline Pack operator+(const Pack& a, const Pack& b) {
   return Pack::make([&](int i) { return a.r[i] + b.r[i]; });
@@ -64,10 +68,10 @@ inline Pack operator/(const Pack& a, const Pack& b) {
   return Pack::make([&](int i) { return a.r[i] / b.r[i]; });
 }
 inline Mask operator<(const Pack& a, const Pack& b) {
-  return detail::compare(a, b, [](const auto& x, const auto& y) { return x < y; });
+  return Mask::make([&](int i) { return a.r[i] < b.r[i]; });
 }
 inline Mask operator<=(const Pack& a, const Pack& b) {
-  return detail::compare(a, b, [](const auto& x, const auto& y) { return x <= y; });
+  return Mask::make([&](int i) { return a.r[i] <= b.r[i]; });
 }
 inline Mask operator>(const Pack& a, const Pack& b) { return b < a; }
 inline Mask operator>=(const Pack& a, const Pack& b) { return b <= a; }
@@ -77,20 +81,34 @@ inline Pack operator-(const Pack& a) {
 inline Pack& Pack::operator+=(const Pack& b) { return *this = *this + b; }
 inline Pack& Pack::operator*=(const Pack& b) { return *this = *this * b; }
 inline Mask operator&&(const Mask& a, const Mask& b) {
-  Mask m;
-  for (int i = 0; i < detail::registers; ++i) m.r[i] = a.r[i] & b.r[i];
-  return m;
+  return Mask::make([&](int i) { return a.r[i] & b.r[i]; });
+}
+inline Mask operator||(const Mask& a, const Mask& b) {
+  return Mask::make([&](int i) { return a.r[i] | b.r[i]; });
+}
+inline Mask operator!(const Mask& a) {
+  return Mask::make([&](int i) { return ~a.r[i]; });
 }
 inline bool all(const Mask& m) {
   bool answer = true;
   for (const auto& r : m.r) answer = answer && xsimd::all(r);
   return answer;
 }
+inline bool some(const Mask& m) { return !all(!m); }
+inline bool all(bool m) { return m; }
+inline bool some(bool m) { return m; }
 /// Lane by lane.
 inline std::array<bool, pack_size> lanes(const Mask& m) {
   std::array<bool, pack_size> answer;
   for (int i = 0; i < detail::registers; ++i) m.r[i].store_unaligned(answer.data() + i * detail::register_size);
   return answer;
+}
+
+inline std::array<bool, 1> lanes(bool m) { return {m}; }
+inline double greatest(const Pack& a) {
+  std::array<double, pack_size> lane;
+  a.store(lane.data());
+  return *std::max_element(lane.begin(), lane.end());
 }
 
 inline Pack select(const Mask& m, const Pack& yes, const Pack& no) {
@@ -99,10 +117,16 @@ inline Pack select(const Mask& m, const Pack& yes, const Pack& no) {
 inline double select(bool m, double yes, double no) { return m ? yes : no; }
 
 inline Pack exp(const Pack& a) {
-  return Pack::make([&](int i) { return xsimd::exp(a.r[i]); });
+  return Pack::make([&](int i) { return detail::exponential(a.r[i]); });
 }
 inline Pack log(const Pack& a) {
-  return Pack::make([&](int i) { return xsimd::log(a.r[i]); });
+  return Pack::make([&](int i) { return detail::logarithm(a.r[i]); });
+}
+inline Pack cos(const Pack& a) {
+  return Pack::make([&](int i) { return xsimd::cos(a.r[i]); });
+}
+inline Pack acos(const Pack& a) {
+  return Pack::make([&](int i) { return xsimd::acos(a.r[i]); });
 }
 inline Pack sqrt(const Pack& a) {
   return Pack::make([&](int i) { return xsimd::sqrt(a.r[i]); });
@@ -123,10 +147,12 @@ inline Pack copysign(const Pack& magnitude, const Pack& sign) {
   return Pack::make([&](int i) { return xsimd::copysign(magnitude.r[i], sign.r[i]); });
 }
 /// a^b for a ≥ 0; exp(b log a) is a third faster than a full pow and good to 1e-14 for the exponents of soil laws.
-inline Pack pow(const Pack& a, const Pack& b) { return select(a > Pack(0.0), exp(b * log(a)), Pack(0.0)); }
+inline Pack pow(const Pack& a, const Pack& b) { return exp(b * log(a)); }
 
 using std::abs;
+using std::acos;
 using std::copysign;
+using std::cos;
 using std::exp;
 using std::floor;
 using std::log;
