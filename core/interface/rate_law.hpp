@@ -34,10 +34,10 @@ concept HasConstantRate = requires {
 };
 
 /// Explicit integration with error control. d (‖D‖ or its average) is frozen over the step.
-///  - A step that changes neither the stress nor a state variable by more than five times the tolerance, relative,
+///  - A step that changes neither the stress nor a state variable by more than four times the tolerance, relative,
 ///  takes
-///    one evaluation of the rate (Euler). Euler's method runs behind by a part of one step; in a material that forgets
-///    its past the stress stays within about the tolerance, however many steps are taken.
+///    one evaluation of the rate (Euler). Euler's method runs half a step behind; where a material forgets its past the
+///    stress stays within twice the tolerance of the exact path, however many steps are taken.
 ///  - Any other takes two (Heun), and the difference of the two rates is its error.
 ///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps.
 /// Eight points at a time take the first two; which one a point takes depends on that point alone.

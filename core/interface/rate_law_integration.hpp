@@ -17,7 +17,7 @@ template <class Real>
 auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<Real>& end) const -> Truth<Real> {
   const Sym<Real> change = end.stress - start.stress;
   if constexpr (HasConstantRate<Law>) return dot(change, change) <= Real(std::numeric_limits<double>::max());
-  const double share = 5.0 * control_.tolerance;
+  const double share = 4.0 * control_.tolerance;
   Truth<Real> little = dot(change, change) <= Real(share * share) * dot(start.stress, start.stress);
   for (std::size_t s = 0; s < States; ++s)
     little = little && abs(end.state[s] - start.state[s]) <= Real(share) * abs(start.state[s]);
