@@ -124,3 +124,4 @@ private:
 } // namespace riedel
 
 #include "core/interface/rate_law_integration.hpp"
+#include "core/interface/rate_law_substeps.hpp"

@@ -64,6 +64,33 @@ TEST(RateLaw, IntegratesALawWrittenForOnePointAsItDoesOneWrittenForPacks) {
   }
 }
 
+/// Its stress is always in order, its state never; no check of the stress alone finds that.
+class BrokenState final : public RateLaw<BrokenState, 1> {
+public:
+  static constexpr bool frictional = false;
+  explicit BrokenState(const Values& given) : RateLaw(IntegrationControl(given)) {}
+  template <class Real>
+  Rate<Real, 1> rate(const Sym<Real>&, const std::array<Real, 1>&, const Sym<Real>& D, Real) const {
+    return {.stress = D, .state = {Real(0.0) / Real(0.0)}};
+  }
+  [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
+  [[nodiscard]] double density(std::span<const double>) const override { return 1.0; }
+  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {}; }
+
+private:
+  std::vector<StateVariable> states_{{"broken", "-", "NaN as soon as it moves"}};
+};
+
+TEST(RateLaw, NeverAcceptsAStateThatIsNotANumber) {
+  for (const double increment : {1e-9, 1e-2}) { // one evaluation, two
+    LawBench bench(sand<BrokenState>(), 3);
+    for (Index p = 0; p < 3; ++p) bench.put(p, Sym<double>::identity(), 0.0, increment * diagonal(1, 0, 0));
+    bench.integrate(1.0);
+    EXPECT_EQ(bench.report.failures, 3);
+    EXPECT_EQ(bench.state[0][1], 0.0);
+  }
+}
+
 TEST(RateLaw, ReportsTheFailuresOfALawWrittenForOnePoint) {
   LawBench bench = crowd(sand<OneByOne>(), 20, 1e-6, 1e-6);
   const Sym<double> before = bench.stress_of(13);
