@@ -61,7 +61,7 @@ Survey GudehusBauer::survey(const MaterialBatch& batch) const {
     const Factors<Pack> f = factors(P, e);
     const Pack c_squared = stiffness(sigma, f) * (Pack(1.0) + e);
     fastest = select(stiff && c_squared > fastest, c_squared, fastest); // not of NaN
-    const auto outside = lanes(stiff && (f.e_0 < Pack(e_d0_) || f.e_0 > Pack(e_i0_)));
+    const auto outside = lanes(stiff && (f.e_bar < Pack(e_d0_) || f.e_bar > Pack(e_i0_)));
     answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
   }
   answer.wave_speed = std::sqrt(greatest(fastest) / grain_density_);

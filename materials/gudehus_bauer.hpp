@@ -30,7 +30,7 @@ private:
   template <class Real>
   struct Factors {
     Real f_s, f_d; ///< (A8) [Pa], [-]
-    Real e_0;      ///< the void ratio brought to zero pressure: e_d0 ≤ e_0 ≤ e_i0
+    Real e_bar;    ///< the void ratio brought to zero pressure: e_d0 ≤ e_bar ≤ e_i0
   };
   template <class Real>
   Factors<Real> factors(Real P, Real e) const;
@@ -48,17 +48,17 @@ private:
                                      separation_variable()};
 };
 
-/// With the void ratio brought to zero pressure, e_0 = e exp[(P/h_s)^n], the bounds of (A10) are constants in (A8):
+/// With the void ratio brought to zero pressure, e_bar = e exp[(P/h_s)^n], the bounds of (A10) are constants in (A8):
 /// no division is left, and the powers share the logarithm of the pressure.
 template <class Real>
 auto GudehusBauer::factors(Real P, Real e) const -> Factors<Real> {
   const Real log_pressure = log(Real(per_h_s_) * P);
-  const Real grow = exp(exp(Real(n_) * log_pressure)), e_0 = e * grow; // (A10): e_i0/e_i = e_d0/e_d = e_c0/e_c = grow
+  const Real grow = exp(exp(Real(n_) * log_pressure)), e_bar = e * grow; // (A10): e_i0/e_i = e_d0/e_d = e_c0/e_c = grow
   const Real one_plus_e_i_over_e_i = Real(1.0) + Real(per_e_i0_) * grow;
   const Real f_s = Real(f_s0_) * one_plus_e_i_over_e_i * // (A8), (e_i/e)^β (P/h_s)^{1−n} as one power
-                   exp(Real(1.0 - n_) * log_pressure - Real(beta_) * log(Real(per_e_i0_) * e_0));
-  const Real f_d = pow(max(Real(0.0), Real(per_e_range_) * (e_0 - Real(e_d0_))), Real(alpha_)); // (A8)
-  return {.f_s = f_s, .f_d = f_d, .e_0 = e_0};
+                   exp(Real(1.0 - n_) * log_pressure - Real(beta_) * log(Real(per_e_i0_) * e_bar));
+  const Real f_d = pow(max(Real(0.0), Real(per_e_range_) * (e_bar - Real(e_d0_))), Real(alpha_)); // (A8)
+  return {.f_s = f_s, .f_d = f_d, .e_bar = e_bar};
 }
 
 /// (A5) over its common denominator: x³ cos 3θ = −√6 tr σ̂*³, x = ‖σ̂*‖.
