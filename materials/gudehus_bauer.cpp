@@ -42,30 +42,29 @@ GudehusBauer::GudehusBauer(const Values& given)
   if (!(h_i_ > 0.0))
     throw InputError("gudehus_bauer: phi_c, alpha and the void ratios give h_i = " + exact_text(h_i_) +
                      "; isotropic compression needs h_i > 0 (a smaller alpha, or e_c0 nearer to e_i0)");
+  per_h_s_ = 1.0 / h_s_;
+  per_e_i0_ = 1.0 / e_i0_;
+  per_e_range_ = 1.0 / (e_c0_ - e_d0_);
+  f_s0_ = h_s_ / (n_ * h_i_);
 }
 
 double GudehusBauer::density(std::span<const double> state) const { return grain_density_ / (1.0 + state[0]); }
 
 Survey GudehusBauer::survey(const MaterialBatch& batch) const {
   Survey answer;
-  double fastest = 0.0; // c²
-  for (Index p = 0; p < batch.size; ++p) {
-    if (batch.state[1][p] > 0.0) continue; // separated: no stiffness
-    Sym<double> sigma;
-    for (std::size_t c = 0; c < 6; ++c) sigma.m[c] = batch.stress[c][p];
-    const double P = -trace(sigma), e = batch.state[0][p];
-    if (!(P > 0.0)) continue;
-    const Factors<double> f = factors(P, e);
-    const Sym<double> s = sigma / trace(sigma), s_dev = deviator(s);
-    const double a = a1(s_dev);
-    // The greatest σ̂:nn is the greatest principal value; unloading along n adds |N_nn| to the loading stiffness.
-    const double lode = std::acos(-cos_3_lode(s_dev)) / 3.0;
-    const double s_nn = 1.0 / 3.0 + std::sqrt(2.0 / 3.0) * norm(s_dev) * std::cos(lode);
-    const double stiffness = f.f_s * (a * a + s_nn * s_nn + f.f_d * a * (2.0 * s_nn - 1.0 / 3.0));
-    fastest = std::max(fastest, stiffness * (1.0 + e) / grain_density_);
-    answer.out_of_bounds += e < f.e_d || e > f.e_i;
+  Pack fastest(0.0); // c² ρ_s
+  for (Index p = 0; p < batch.size; p += pack_size) {
+    const BatchGroup<Pack, 1> group(batch, p);
+    const auto [sigma, state] = group.points();
+    const Pack P = -trace(sigma), e = state[0];
+    const Mask stiff = P > Pack(0.0) && group.load(group.separation()) <= Pack(0.0);
+    const Factors<Pack> f = factors(P, e);
+    const Pack c_squared = stiffness(sigma, f) * (Pack(1.0) + e);
+    fastest = select(stiff && c_squared > fastest, c_squared, fastest); // not of NaN
+    const auto outside = lanes(stiff && (f.e_bar < Pack(e_d0_) || f.e_bar > Pack(e_i0_)));
+    answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
   }
-  answer.wave_speed = std::sqrt(fastest);
+  answer.wave_speed = std::sqrt(greatest(fastest) / grain_density_);
   return answer;
 }
 

@@ -30,33 +30,55 @@ private:
   template <class Real>
   struct Factors {
     Real f_s, f_d; ///< (A8) [Pa], [-]
-    Real e_d, e_i; ///< bounds of the void ratio at this pressure, (A10)
+    Real e_bar;    ///< the void ratio brought to zero pressure: e_d0 ≤ e_bar ≤ e_i0
   };
   template <class Real>
   Factors<Real> factors(Real P, Real e) const;
   template <class Real>
   Real a1(const Sym<Real>& s_dev) const; ///< (A5)
+  /// An upper bound of the stiffness in any direction, loading or unloading [Pa]
+  template <class Real>
+  Real stiffness(const Sym<Real>& sigma, const Factors<Real>& f) const;
 
   double h_s_, n_, e_i0_, e_d0_, e_c0_, alpha_, beta_, grain_density_;
   double c1_, c2_, h_i_;
+  double per_h_s_, per_e_i0_, per_e_range_; ///< 1/h_s, 1/e_i0, 1/(e_c0 − e_d0)
+  double f_s0_;                             ///< h_s/(n h_i)
   std::vector<StateVariable> states_{{"void_ratio", "-", "volume of the voids over volume of the grains"},
                                      separation_variable()};
 };
 
+/// With the void ratio brought to zero pressure, e_bar = e exp[(P/h_s)^n], the bounds of (A10) are constants in (A8):
+/// no division is left, and the powers share the logarithm of the pressure.
 template <class Real>
 auto GudehusBauer::factors(Real P, Real e) const -> Factors<Real> {
-  const Real pressure = P / Real(h_s_), power_n = pow(pressure, Real(n_));
-  const Real shrink = exp(-power_n);                                                             // (A10)
-  const Real e_i = Real(e_i0_) * shrink, e_d = Real(e_d0_) * shrink, e_c = Real(e_c0_) * shrink; // (A10)
-  const Real f_s = Real(h_s_ / (n_ * h_i_)) * pow(e_i / e, Real(beta_)) * (Real(1.0) + e_i) / e_i *
-                   (pressure / power_n);                                       // (A8), (P/h_s)^{1−n}
-  const Real f_d = pow(max((e - e_d) / (e_c - e_d), Real(0.0)), Real(alpha_)); // (A8)
-  return {.f_s = f_s, .f_d = f_d, .e_d = e_d, .e_i = e_i};
+  const Real log_pressure = log(Real(per_h_s_) * P);
+  const Real grow = exp(exp(Real(n_) * log_pressure)), e_bar = e * grow; // (A10): e_i0/e_i = e_d0/e_d = e_c0/e_c = grow
+  const Real one_plus_e_i_over_e_i = Real(1.0) + Real(per_e_i0_) * grow;
+  const Real f_s = Real(f_s0_) * one_plus_e_i_over_e_i * // (A8), (e_i/e)^β (P/h_s)^{1−n} as one power
+                   exp(Real(1.0 - n_) * log_pressure - Real(beta_) * log(Real(per_e_i0_) * e_bar));
+  const Real f_d = pow(max(Real(0.0), Real(per_e_range_) * (e_bar - Real(e_d0_))), Real(alpha_)); // (A8)
+  return {.f_s = f_s, .f_d = f_d, .e_bar = e_bar};
+}
+
+/// (A5) over its common denominator: x³ cos 3θ = −√6 tr σ̂*³, x = ‖σ̂*‖.
+template <class Real>
+Real GudehusBauer::a1(const Sym<Real>& s_dev) const {
+  const Real squared = dot(s_dev, s_dev), x = sqrt(squared), x_cubed = squared * x;
+  const Real cosine =
+      clamp(Real(-3.0 * std::numbers::sqrt2 * std::numbers::sqrt3) * determinant(s_dev), -x_cubed, x_cubed);
+  const Real a = squared / (Real(c1_) * squared + Real(c2_) * (x_cubed + cosine));
+  return select(squared > Real(1e-30), a, Real(1.0 / c1_));
 }
 
 template <class Real>
-Real GudehusBauer::a1(const Sym<Real>& s_dev) const {
-  return Real(1.0) / (Real(c1_) + Real(c2_) * norm(s_dev) * (Real(1.0) + cos_3_lode(s_dev))); // (A5)
+Real GudehusBauer::stiffness(const Sym<Real>& sigma, const Factors<Real>& f) const {
+  const Sym<Real> s = sigma / trace(sigma), s_dev = deviator(s);
+  const Real a = a1(s_dev);
+  // The greatest σ̂:nn is the greatest principal value; unloading along n adds |N_nn| to the loading stiffness.
+  const Real lode = acos(-cos_3_lode(s_dev)) * Real(1.0 / 3.0);
+  const Real s_nn = Real(1.0 / 3.0) + Real(std::sqrt(2.0 / 3.0)) * norm(s_dev) * cos(lode);
+  return f.f_s * (a * a + s_nn * s_nn + f.f_d * a * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
 }
 
 template <class Real>
@@ -64,7 +86,7 @@ Rate<Real, 1> GudehusBauer::rate(const Sym<Real>& sigma, const std::array<Real, 
                                  Real d) const {
   const Real P = -trace(sigma), e = state[0]; // P = 3 p_s
   const Factors<Real> f = factors(P, e);
-  const Sym<Real> s = sigma / trace(sigma), s_dev = deviator(s); // (A2), (A7)
+  const Sym<Real> s = sigma / -P, s_dev = deviator(s); // (A2), (A7)
   const Real a = a1(s_dev);
   const Sym<Real> L = a * a * D + dot(s, D) * s;                                         // (A3)
   const Sym<Real> N = a * (s + s_dev);                                                   // (A4)

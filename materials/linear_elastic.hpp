@@ -9,6 +9,7 @@ class LinearElastic final : public RateLaw<LinearElastic, 0> {
 public:
   static constexpr std::string_view name = "linear_elastic";
   static constexpr bool frictional = false;
+  static constexpr bool constant_rate = true;
   static Keys parameters();
   explicit LinearElastic(const Values& given);
 

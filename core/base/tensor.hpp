@@ -65,6 +65,11 @@ Real determinant(const Sym<Real>& a) {
          half * (a.m[0] * a.m[5] * a.m[5] + a.m[1] * a.m[4] * a.m[4] + a.m[2] * a.m[3] * a.m[3]);
 }
 
+template <class Real>
+Real clamp(const Real& x, const Real& low, const Real& high) {
+  return min(high, max(low, x));
+}
+
 /// cos 3θ = −√6 tr(a³) / tr(a²)^{3/2} of a deviator, clamped to [−1, 1]; −1 where the deviator vanishes.
 template <class Real>
 Real cos_3_lode(const Sym<Real>& deviator) {

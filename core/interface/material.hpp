@@ -29,10 +29,11 @@ struct MaterialBatch {
 
 /// What happened inside one call, or many.
 struct MaterialReport {
-  std::int64_t substepped = 0;   ///< points whose step had to be cut
-  std::int64_t low_pressure = 0; ///< points returned to the least pressure
-  std::int64_t separated = 0;    ///< points that carry no stress
-  std::int64_t failures = 0;     ///< points that could not be integrated; their state is left as it was
+  std::int64_t evaluated_twice = 0; ///< points whose step took a second evaluation of the rate
+  std::int64_t substepped = 0;      ///< points whose step had to be cut
+  std::int64_t low_pressure = 0;    ///< points returned to the least pressure
+  std::int64_t separated = 0;       ///< points that carry no stress
+  std::int64_t failures = 0;        ///< points that could not be integrated; their state is left as it was
   Index first_failure = -1;
   std::string_view reason{}; ///< why the first one failed
 
@@ -65,6 +66,7 @@ public:
 using Materials = Registry<std::unique_ptr<Material>(const Values&)>;
 
 inline void MaterialReport::add(const MaterialReport& other, Index offset) {
+  evaluated_twice += other.evaluated_twice;
   substepped += other.substepped;
   low_pressure += other.low_pressure;
   separated += other.separated;

@@ -22,14 +22,30 @@ struct IntegrationControl {
   explicit IntegrationControl(const Values& given);
 };
 
-/// Explicit integration of order 1(2) with error control. Eight points at a time take one modified Euler (Heun) step;
-/// those whose error estimate exceeds the tolerance, and those near zero pressure, are integrated one by one with
-/// sub-steps. d (‖D‖ or its average) is frozen over the step.
+/// A law whose `rate` takes packs; one written for `double` alone is integrated point by point.
+template <class Law, std::size_t States>
+concept RunsOnPacks = requires(const Law& law, const Sym<Pack>& sigma, const std::array<Pack, States>& state, Pack d) {
+  law.rate(sigma, state, sigma, d);
+};
+/// A law may say `static constexpr bool constant_rate = true`: its rate depends on D alone, one evaluation is exact.
+template <class Law>
+concept HasConstantRate = requires {
+  requires Law::constant_rate;
+};
+
+/// Explicit integration with error control. d (‖D‖ or its average) is frozen over the step.
+///  - A step that changes neither the stress nor a state variable by more than four times the tolerance, relative,
+///  takes
+///    one evaluation of the rate (Euler). Euler's method runs half a step behind; where a material forgets its past the
+///    stress stays within twice the tolerance of the exact path, however many steps are taken.
+///  - Any other takes two (Heun), and the difference of the two rates is its error.
+///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps.
+/// Eight points at a time take the first two; which one a point takes depends on that point alone.
 ///
 /// A law derives from RateLaw<Law, States>, States being the number of its own state variables, scalars, and provides
 ///   static constexpr bool frictional;             whether it needs a pressure above zero
 ///   Rate<Real, States> rate(const Sym<Real>& sigma, const std::array<Real, States>& state,
-///                               const Sym<Real>& D, Real d) const;      for Real = double and Real = Pack
+///                               const Sym<Real>& D, Real d) const;      for Real = double and, if it can, Real = Pack
 /// and the virtual functions of Material but `integrate`. A frictional law declares `separation_variable()` last.
 ///
 /// Low pressure: where a step would end with p below the minimum pressure, an expanding point separates (no stress
@@ -50,27 +66,53 @@ protected:
 private:
   template <class Real>
   using Point = PointState<Real, States>;
-  using Group = BatchGroup<States>;
+  template <class Real>
+  struct Step { ///< what happens to one point, or to eight, over a time
+    Sym<Real> D;
+    Real d;
+    double time;
+  };
   template <class Real>
   struct Increment {
     Point<Real> end;
     Real error; ///< relative to the stress
   };
+  template <class Real>
+  struct Trial { ///< a step without sub-steps
+    Point<Real> end;
+    Truth<Real> good;  ///< false of NaN
+    Truth<Real> twice; ///< took two evaluations
+  };
   struct Lone { ///< a point integrated alone
     Point<double> point;
     double separation;
   };
-  struct Step {
-    Sym<double> D;
-    double d, time;
-  };
 
   template <class Real>
-  Increment<Real> heun(const Point<Real>& start, const Sym<Real>& D, Real d, double dt) const;
-  void integrate_mixed(const Group& group, const Point<Pack>& common, const std::array<bool, pack_size>& good,
-                       const Pack& d, MaterialReport& report) const;
-  std::string_view advance_alone(Lone& lone, const Step& over, MaterialReport& report) const;
-  double drift_apart(Lone& lone, const Step& over, double left, MaterialReport& report) const;
+  Rate<Real, States> rate(const Point<Real>& at, const Step<Real>& over) const {
+    return law().rate(at.stress, at.state, over.D, over.d);
+  }
+  template <class Real>
+  static Point<Real> moved(Point<Real> point, const Rate<Real, States>& rate, double time);
+  template <class Real>
+  Truth<Real> changes_little(const Point<Real>& start, const Point<Real>& end) const;
+  template <class Real>
+  Increment<Real> heun(const Point<Real>& start, const Rate<Real, States>& first, const Step<Real>& over) const;
+  template <class Real>
+  Trial<Real> attempt(const Point<Real>& start, const Real& separation, const Step<Real>& over) const;
+  template <class Real>
+  static Step<Real> step_of(const BatchGroup<Real, States>& group) {
+    const Sym<Real> D = group.rate();
+    return {.D = D, .d = group.averaged() ? group.load(group.averaged()) : norm(D), .time = group.time_step()};
+  }
+  template <class Real>
+  static Real separation(const BatchGroup<Real, States>& group) {
+    if constexpr (Law::frictional) return group.load(group.separation());
+    return Real(0.0);
+  }
+  void integrate_alone(const MaterialBatch& batch, Index p, MaterialReport& report) const;
+  std::string_view advance_alone(Lone& lone, const Step<double>& over, MaterialReport& report) const;
+  double drift_apart(Lone& lone, Step<double> over, double left, MaterialReport& report) const;
   void leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain, MaterialReport& report) const;
 
   [[nodiscard]] const Law& law() const { return static_cast<const Law&>(*this); }
@@ -82,3 +124,4 @@ private:
 } // namespace riedel
 
 #include "core/interface/rate_law_integration.hpp"
+#include "core/interface/rate_law_substeps.hpp"

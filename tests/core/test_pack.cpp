@@ -102,11 +102,52 @@ TEST(Pack, HasTheFunctionsOfTheStandardLibrary) {
   expect_same(
       "log", 1e-12, 1e12, close, [](const Pack& x) { return log(x); }, [](double x) { return std::log(x); });
   expect_same(
+      "cos", 1e-6, 4, close, [](const Pack& x) { return cos(x); }, [](double x) { return std::cos(x); });
+  expect_same(
+      "acos", 1e-6, 1, close, [](const Pack& x) { return acos(x); }, [](double x) { return std::acos(x); });
+  expect_same(
       "sqrt", 1e-12, 1e12, close, [](const Pack& x) { return sqrt(x); }, [](double x) { return std::sqrt(x); });
   expect_same(
       "abs", 1e-12, 1e12, 0, [](const Pack& x) { return abs(x); }, [](double x) { return std::abs(x); });
   expect_same(
       "floor", 1e-3, 1e6, 0, [](const Pack& x) { return floor(x); }, [](double x) { return std::floor(x); });
+}
+
+TEST(Pack, HasExponentialsAndLogarithmsToTheLastBitsOverAllNumbers) {
+  constexpr double close = 5e-16;
+  const auto exp_pack = [](const Pack& x) { return exp(x); };
+  expect_same("exp", 1e-9, 700, close, exp_pack, [](double x) { return std::exp(x); });
+  const auto log_pack = [](const Pack& x) { return log(abs(x)); };
+  const auto log_number = [](double x) { return std::log(std::abs(x)); };
+  expect_same("log", 1e-300, 0.7, close, log_pack, log_number);
+  expect_same("log", 1.5, 1e300, close, log_pack, log_number);
+  expect_same("log", 0.7, 1.5, close, log_pack, log_number);
+}
+
+TEST(Pack, HasTheExponentialsAndLogarithmsOfZeroInfinityAndNaN) {
+  constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const Eight x{0.0, -inf, inf, 1.0, -800.0, 800.0, -0.0, nan}, e = numbers(exp(Pack::load(x.data())));
+  const Eight expected_e{1.0, 0.0, inf, std::exp(1.0), 0.0, inf, 1.0, nan};
+  const Eight y{0.0, -1.0, inf, 1.0, -inf, 1e-320, -0.0, nan}, l = numbers(log(Pack::load(y.data())));
+  const Eight expected_l{-inf, nan, inf, 0.0, nan, -inf, -inf, nan};
+  for (std::size_t k = 0; k < pack_size; ++k) {
+    EXPECT_TRUE(std::isnan(expected_e[k]) ? std::isnan(e[k]) : e[k] == expected_e[k]) << "exp " << x[k] << ": " << e[k];
+    EXPECT_TRUE(std::isnan(expected_l[k]) ? std::isnan(l[k]) : l[k] == expected_l[k]) << "log " << y[k] << ": " << l[k];
+  }
+  EXPECT_TRUE(std::isnan(numbers(pow(Pack(nan), Pack(0.3)))[0]));
+}
+
+TEST(Pack, CombinesTruthValuesAndFindsTheGreatestLane) {
+  const Eight a{1, 2, 3, 4, 5, 6, 7, 8}, b{8, 2, 1, 4, 9, 0, 7, 10};
+  const Mask less = Pack::load(a.data())<Pack::load(b.data()), large = Pack::load(a.data())> Pack(6.0);
+  const auto either = lanes(less || large), neither = lanes(!(less || large));
+  for (std::size_t k = 0; k < pack_size; ++k) {
+    EXPECT_EQ(either[k], a[k] < b[k] || a[k] > 6.0);
+    EXPECT_EQ(neither[k], !either[k]);
+  }
+  EXPECT_TRUE(some(large));
+  EXPECT_FALSE(some(Pack::load(a.data()) > Pack(8.0)));
+  EXPECT_EQ(greatest(Pack::load(b.data())), 10.0);
 }
 
 /// P/h_s from 1 Pa to 10 MPa with the exponents of the laws, and powers of (e − e_d)/(e_c − e_d).

@@ -4,6 +4,7 @@
 #include "support/csv.hpp"
 #include "support/law.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 namespace riedel::test {
@@ -122,6 +123,42 @@ void follow_oedometer(double e_0, const std::string& file) {
 TEST(GudehusBauer, FollowsTheReferenceInOedometricCompression) {
   follow_oedometer(0.60, "gudehus_bauer_oedometer_e0.60_iso1kPa.csv");
   follow_oedometer(0.90, "gudehus_bauer_oedometer_e0.90_iso1kPa.csv");
+}
+
+/// (A1)–(A10) once more, from the paper's symbols, point by point.
+double wave_speed(const Sym<double>& sigma, double e) {
+  const double P = -trace(sigma), shrink = std::exp(-std::pow(P / 190e6, 0.5)), e_i = 1.3 * shrink;
+  const double f_d = std::pow(std::max(0.0, (e - 0.51 * shrink) / (0.31 * shrink)), 0.3), c1 = 3.061862178478973;
+  const double h_i = 1 / (c1 * c1) + 1.0 / 3 - std::pow(0.79 / 0.31, 0.3) / (c1 * std::sqrt(3.0));
+  const double f_s = 190e6 / (0.5 * h_i) * (e_i / e) * (1 + e_i) / e_i * std::pow(P / 190e6, 0.5);
+  const Eigen::SelfAdjointEigenSolver<Mat<3>> principal(to_matrix(sigma / trace(sigma)));
+  const Sym<double> s_dev = deviator(sigma / trace(sigma));
+  const double a = 1 / (c1 + 2.625 * norm(s_dev) * (1 + cos_3_lode(s_dev))), s_nn = principal.eigenvalues()[2];
+  return std::sqrt(f_s * (a * a + s_nn * s_nn + f_d * a * (2 * s_nn - 1.0 / 3)) * (1 + e) / 2650);
+}
+
+TEST(GudehusBauer, SurveysPacksAsItDoesPoints) {
+  constexpr Index size = 45;
+  std::mt19937 random(8);
+  LawBench bench(material("gudehus_bauer"), size);
+  for (Index p = 0; p < size; ++p)
+    bench.put(p, random_stress(random, 1e3 * (1 + p)), 0.47 + 0.02 * p, Sym<double>::zero());
+  bench.stress[1][7] = bench.stress[0][7] = bench.stress[2][7] = 1e9; // no pressure, no stiffness
+  bench.state[1][9] = 1e-3;                                           // separated
+  for (const Range part : {Range{0, 45}, Range{3, 4}, Range{5, 16}, Range{40, 45}}) {
+    double fastest = 0.0;
+    std::int64_t outside = 0;
+    for (Index p = part.begin; p < part.end; ++p) {
+      if (p == 7 || p == 9) continue;
+      const double pressure = -trace(bench.stress_of(p)) / 3, e = bench.state[0][p];
+      fastest = std::max(fastest, wave_speed(bench.stress_of(p), e));
+      outside += e < 0.51 / 1.3 * e_i(pressure) || e > e_i(pressure);
+    }
+    bench.integrate(0.0, part); // fills the batch
+    const Survey survey = bench.law->survey(bench.batch);
+    EXPECT_NEAR(survey.wave_speed, fastest, 1e-11 * fastest);
+    EXPECT_EQ(survey.out_of_bounds, outside);
+  }
 }
 
 TEST(GudehusBauer, RefusesVoidRatiosInTheWrongOrderAndANegativeCompressionFactor) {
