@@ -103,6 +103,7 @@ nlohmann::ordered_json BiaxialRun::summary() const {
           {"phi_residual_deg", residual / counted},
           {"kinetic_over_internal_max", kinetic_over_internal()},
           {"mass_error", state.step > 0 ? mass_on_grid / mass - 1.0 : 0.0},
+          {"evaluated_twice", state.report.evaluated_twice},
           {"substepped", state.report.substepped},
           {"low_pressure", state.report.low_pressure},
           {"separated", state.report.separated},
