@@ -46,6 +46,9 @@ Numbers dense_sum(const Columns& x, const Numbers& volumes, const Numbers& field
   return answer;
 }
 
+/// Weights are floats: bound of what that does to the average of a field that varies by one.
+constexpr double rounding_of_weights = 2e-7;
+
 void expect_near(const Numbers& a, const Numbers& b, double tolerance) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t p = 0; p < a.size(); ++p) ASSERT_NEAR(a[p], b[p], tolerance) << "at point " << p;
@@ -88,7 +91,7 @@ TYPED_TEST(EveryAverager, LeavesAUniformFieldAsItIsAlsoAtTheEdges) {
 TYPED_TEST(EveryAverager, GivesTheDenseSumOverAllPairs) {
   const Numbers expected = dense_sum<TestFixture::axes>(this->x_, this->volumes_, this->field_, this->length_);
   this->for_every_averager([&](const auto& make) {
-    expect_near(averaged(*make(), this->x_, this->volumes_, this->field_), expected, 1e-13);
+    expect_near(averaged(*make(), this->x_, this->volumes_, this->field_), expected, rounding_of_weights);
   });
 }
 
@@ -161,7 +164,7 @@ TYPED_TEST(EveryAverager, NoticesThatThereAreOtherPoints) {
     const auto averager = make();
     averaged(*averager, this->x_, this->volumes_, this->field_);
     expect_near(averaged(*averager, fewer, volumes, field),
-                dense_sum<TestFixture::axes>(fewer, volumes, field, this->length_), 1e-13);
+                dense_sum<TestFixture::axes>(fewer, volumes, field, this->length_), rounding_of_weights);
   });
 }
 
@@ -174,14 +177,15 @@ void shake(Columns& x, double step, unsigned seed) {
     for (Index p = 0; p < x.size(); ++p) x[a][p] += way(random);
 }
 
-TYPED_TEST(EveryAverager, GivesTheSameBitsWithKeptNeighboursAsWithFreshOnes) {
+TYPED_TEST(EveryAverager, GivesTheSameToRoundingWithKeptNeighboursAsWithFreshOnes) {
   this->for_every_averager([&](const auto& make) {
     const auto kept = make();
     Columns x = this->x_;
     int calls = 0;
     for (; calls < 40; ++calls) {
       shake<TestFixture::axes>(x, 0.01 * this->length_, 100 + calls); // far enough for new weights at each call
-      EXPECT_EQ(averaged(*kept, x, this->volumes_, this->field_), averaged(*make(), x, this->volumes_, this->field_));
+      expect_near(averaged(*kept, x, this->volumes_, this->field_), averaged(*make(), x, this->volumes_, this->field_),
+                  1e-14); // the same weights, summed in another order
     }
     EXPECT_GT(kept->searches(), 1);
     EXPECT_LT(kept->searches(), calls / 2);
