@@ -162,35 +162,9 @@ void GaussAverager<Dim>::weigh(Range teams) {
 /// Has the way from any point to any other changed by more than `distance` [m]? Also when a position is not a number.
 template <int Dim>
 bool GaussAverager<Dim>::shifted(const Columns& positions, const Columns& since, double distance) {
-  using Box = std::array<Vec<Dim>, 2>;
-  constexpr double huge = std::numeric_limits<double>::max();
-  const auto box_of = [&](Range block) {
-    Box box{Vec<Dim>::Constant(huge), Vec<Dim>::Constant(-huge)};
-    for (int a = 0; a < Dim; ++a) {
-      Pack lower(huge), upper(-huge), wrong(0.0);
-      const auto add = [&](const Pack& way) {
-        lower = min(lower, way);
-        upper = max(upper, way);
-        wrong += way * Pack(0.0); // not a number when `way` is none
-      };
-      Index p = block.begin;
-      for (; p + width <= block.end; p += width) add(Pack::load(positions[a] + p) - Pack::load(since[a] + p));
-      for (; p < block.end; ++p) add(Pack(positions[a][p] - since[a][p]));
-      std::array<double, width> low, high, bad;
-      lower.store(low.data());
-      upper.store(high.data());
-      wrong.store(bad.data());
-      for (int i = 0; i < width; ++i) {
-        box[0][a] = std::min(box[0][a], low[i]);
-        box[1][a] = bad[i] == 0.0 ? std::max(box[1][a], high[i]) : huge;
-      }
-    }
-    return box;
-  };
-  const auto both = [](const Box& a, const Box& b) { return Box{a[0].cwiseMin(b[0]), a[1].cwiseMax(b[1])}; };
-  const Box start{Vec<Dim>::Constant(huge), Vec<Dim>::Constant(-huge)};
-  const Box box = reduce_blocks(positions.size(), boxes_, start, box_of, both);
-  return !(positions.size() == 0 || (box[1] - box[0]).norm() <= distance);
+  if (points_ == 0) return false;
+  const Box<Dim> ways = box_of(positions, &since, boxes_);
+  return !((ways.upper - ways.lower).norm() <= distance);
 }
 
 template class GaussAverager<2>;

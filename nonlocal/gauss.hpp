@@ -3,6 +3,7 @@
 
 #include "core/base/columns.hpp"
 #include "core/interface/nonlocal_averager.hpp"
+#include "nonlocal/box.hpp"
 #include "nonlocal/weight.hpp"
 
 namespace riedel {
@@ -53,7 +54,7 @@ private:
   Columns load_{2};                     ///< V_q [m³ or m²] and V_q field(q); like places_ with eight more at the end
   Columns places_{Dim};                 ///< positions when weights were evaluated [m]
   Columns searched_at_{Dim};            ///< positions when neighbours were searched for [m]
-  std::vector<std::array<Vec<Dim>, 2>> boxes_; ///< working space of `shifted`: corners of a box per block
+  std::vector<Box<Dim>> boxes_;         ///< working space of `shifted`
   std::int64_t searches_ = 0;
 };
 
