@@ -12,7 +12,8 @@ namespace riedel {
 ///
 /// Points near each other are near in memory too, so the neighbours of two consecutive points, a team, are covered by
 /// runs of eight consecutive points that are summed as packs; a point in a run which is no neighbour has a weight of
-/// exactly zero. Weights are kept as floats, good to 6e-8, the same above and below the fraction.
+/// exactly zero. Weights are floats, the same above and below the fraction: that costs 3e-7 of the field's range at
+/// most.
 ///
 /// Neighbours are searched for within a skin around 3 l_c, and again only when two points may have come closer by the
 /// skin. The weights are kept until the distance of a pair may have changed by 2 `weights_last` l_c, by which the
@@ -23,7 +24,7 @@ template <int Dim>
 class GaussAverager final : public NonlocalAverager<Dim> {
 public:
   static constexpr double skin = 0.1;          ///< searched for beyond 3 l_c, in l_c [-]
-  static constexpr double weights_last = 2e-3; ///< way of a point after which weights are evaluated anew, in l_c [-]
+  static constexpr double weights_last = 2e-3; ///< half of what distances change by while weights last, in l_c [-]
 
   /// @param length l_c [m], > 0
   GaussAverager(double length, std::unique_ptr<NeighbourSearch<Dim>> search);

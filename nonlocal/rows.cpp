@@ -71,11 +71,12 @@ void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
   }
 }
 
-/// Of the candidates keeps the neighbours of p. Every search decides by this one compiled function, so that none rounds
-/// a distance in its own way.
+/// Of the candidates keeps the neighbours of p. Packs may round a distance in their own way, so what lies on the radius
+/// to rounding is decided by the contract's sum, for every search by this one compiled function.
 template <int Dim>
 std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
-  const Pack limit = square(radius_);
+  const double limit = square(radius_);
+  const Pack surely = limit * (1.0 - 1e-12), perhaps = limit * (1.0 + 1e-12);
   const std::size_t before = rows_.size();
   list_.resize(near_[0].size()); // what fills up the last pack has no distance and is never kept
   rows_.resize(before + list_.size());
@@ -86,7 +87,10 @@ std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
       const Pack way = Pack(positions_[a][p]) - Pack::load(near_[a].data() + k);
       squared += way * way;
     }
-    const auto inside = lanes(squared <= limit);
+    auto inside = lanes(squared <= surely);
+    if (const auto not_far = lanes(squared <= perhaps); not_far != inside)
+      for (int i = 0; i < pack_size; ++i)
+        if (not_far[i] && !inside[i]) inside[i] = squared_distance<Dim>(positions_, p, list_[k + i]) <= limit;
     for (int i = 0; i < pack_size; ++i) {
       *to = list_[k + i];
       to += inside[i];
