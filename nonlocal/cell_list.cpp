@@ -9,11 +9,11 @@ namespace riedel {
 template <int Dim>
 void CellList<Dim>::find(const Columns& positions, double radius, NeighbourRows& rows) {
   require_finite<Dim>(positions);
-  // A little wider than the radius, so that no rounding puts two neighbours further apart than adjacent cells.
-  side_ = radius > 0.0 ? radius * (1.0 + 1e-6) : 1.0;
+  side_ = radius > 0.0 ? 0.5 * radius : 1.0;
   sort_into_bins(positions);
-  fill_rows<Dim>(positions, radius, rows,
-                 [&](Index p, std::vector<Index>& list) { append_surroundings(cell_of(positions, p), list); });
+  fill_rows<Dim>(positions, radius, rows, [&](const Surroundings<Dim>& around, std::vector<Index>& list) {
+    append_cells(cell_at(around.lower), cell_at(around.upper), list);
+  });
 }
 
 template <int Dim>
@@ -23,20 +23,26 @@ void CellList<Dim>::sort_into_bins(const Columns& positions) {
   const std::size_t bins = std::bit_ceil(static_cast<std::size_t>(points) + 1);
   last_bin_ = bins - 1;
   first_.assign(bins + 1, 0);
-  for (Index p = 0; p < points; ++p) ++first_[bin_of(cell_of(positions, p))];
+  bins_.resize(static_cast<std::size_t>(points));
+  for_each_block(points, [&](Range block) {
+    for (Index p = block.begin; p < block.end; ++p) {
+      Vec<Dim> place;
+      for (int a = 0; a < Dim; ++a) place[a] = positions[a][p];
+      bins_[p] = bin_of(cell_at(place));
+    }
+  });
+  for (const std::size_t bin : bins_) ++first_[bin];
   std::partial_sum(first_.begin(), first_.end(), first_.begin()); // now each bin's end, to be filled backwards from
   sorted_.resize(static_cast<std::size_t>(points));
-  for (Index p = points; p-- > 0;) sorted_[--first_[bin_of(cell_of(positions, p))]] = p;
+  for (Index p = points; p-- > 0;) sorted_[--first_[bins_[p]]] = p;
 }
 
 /// Beyond a thousand million cells from the first point all of space is one cell, and numbers stay exact.
 template <int Dim>
-typename CellList<Dim>::Cell CellList<Dim>::cell_of(const Columns& positions, Index p) const {
+typename CellList<Dim>::Cell CellList<Dim>::cell_at(const Vec<Dim>& place) const {
   Cell cell;
-  for (std::size_t a = 0; a < Dim; ++a) {
-    const double x = std::floor((positions[static_cast<int>(a)][p] - origin_[static_cast<Index>(a)]) / side_);
-    cell[a] = static_cast<std::int64_t>(std::clamp(x, -1e9, 1e9));
-  }
+  for (int a = 0; a < Dim; ++a)
+    cell[a] = static_cast<std::int64_t>(std::clamp(std::floor((place[a] - origin_[a]) / side_), -1e9, 1e9));
   return cell;
 }
 
@@ -49,19 +55,19 @@ std::size_t CellList<Dim>::bin_of(const Cell& cell) const {
   return hash & last_bin_;
 }
 
+/// Two cells may share a bin, which is then read twice: fill_rows does not mind.
 template <int Dim>
-void CellList<Dim>::append_surroundings(const Cell& centre, std::vector<Index>& list) const {
-  std::array<std::size_t, power(3, Dim)> bins;
-  for (int k = 0; k < power(3, Dim); ++k) {
-    Cell cell = centre;
-    for (int a = 0, digits = k; a < Dim; ++a, digits /= 3) cell[a] += digits % 3 - 1;
-    bins[k] = bin_of(cell);
+void CellList<Dim>::append_cells(const Cell& lower, const Cell& upper, std::vector<Index>& list) const {
+  Cell cell = lower;
+  while (true) {
+    const std::size_t bin = bin_of(cell);
+    list.insert(list.end(), sorted_.begin() + static_cast<std::ptrdiff_t>(first_[bin]),
+                sorted_.begin() + static_cast<std::ptrdiff_t>(first_[bin + 1]));
+    int a = 0;
+    while (a < Dim && cell[a] == upper[a]) cell[a] = lower[a], ++a;
+    if (a == Dim) return;
+    ++cell[a];
   }
-  std::ranges::sort(bins); // two cells may share a bin, which must be read once
-  const auto end = std::unique(bins.begin(), bins.end());
-  for (auto bin = bins.begin(); bin != end; ++bin)
-    list.insert(list.end(), sorted_.begin() + static_cast<std::ptrdiff_t>(first_[*bin]),
-                sorted_.begin() + static_cast<std::ptrdiff_t>(first_[*bin + 1]));
 }
 
 template class CellList<2>;

@@ -1,4 +1,4 @@
-/// Neighbours by bins: points are sorted into square cells a radius wide and look into the cells around their own.
+/// Neighbours by bins: points are sorted into square cells half a radius wide and look into those around them.
 #pragma once
 
 #include "core/interface/neighbour_search.hpp"
@@ -16,14 +16,15 @@ private:
   using Cell = std::array<std::int64_t, Dim>;
 
   void sort_into_bins(const Columns& positions);
-  [[nodiscard]] Cell cell_of(const Columns& positions, Index p) const;
+  [[nodiscard]] Cell cell_at(const Vec<Dim>& place) const;
   [[nodiscard]] std::size_t bin_of(const Cell& cell) const;
-  void append_surroundings(const Cell& centre, std::vector<Index>& list) const;
+  void append_cells(const Cell& lower, const Cell& upper, std::vector<Index>& list) const;
 
   double side_ = 0.0;              ///< of a cell [m]
   Vec<Dim> origin_;                ///< corner of cell (0, 0[, 0]) [m]
   std::size_t last_bin_ = 0;       ///< bins less one; the bins are a power of two
   std::vector<std::size_t> first_; ///< of each bin, in `sorted_`
+  std::vector<std::size_t> bins_;  ///< of each point
   std::vector<Index> sorted_;      ///< points by bin, rising within one
 };
 

@@ -21,13 +21,13 @@ template <>
 struct Cgal<2> {
   using Point = Kernel::Point_2;
   using Traits = CGAL::Search_traits_2<Kernel>;
-  static Point point(const Columns& x, Index p) { return {x[0][p], x[1][p]}; }
+  static Point point(const Vec<2>& x) { return {x[0], x[1]}; }
 };
 template <>
 struct Cgal<3> {
   using Point = Kernel::Point_3;
   using Traits = CGAL::Search_traits_3<Kernel>;
-  static Point point(const Columns& x, Index p) { return {x[0][p], x[1][p], x[2][p]}; }
+  static Point point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
 };
 
 /// Tells the tree, which stores numbers of points, where a point lies.
@@ -50,22 +50,24 @@ void CgalKdTree<Dim>::find(const Columns& positions, double radius, NeighbourRow
   using Point = typename Cgal<Dim>::Point;
   using Traits = CGAL::Search_traits_adapter<Index, PlaceOf<Point>, typename Cgal<Dim>::Traits>;
   using Tree = CGAL::Kd_tree<Traits>;
+  using Sphere = CGAL::Fuzzy_sphere<Traits>;
 
   require_finite<Dim>(positions);
   std::vector<Point> places(static_cast<std::size_t>(positions.size()));
   std::vector<Index> numbers(places.size());
   for (Index p = 0; p < positions.size(); ++p) {
-    places[p] = Cgal<Dim>::point(positions, p);
+    Vec<Dim> place;
+    for (int a = 0; a < Dim; ++a) place[a] = positions[a][p];
+    places[p] = Cgal<Dim>::point(place);
     numbers[p] = p;
   }
   const Traits traits(PlaceOf<Point>{places.data()});
   Tree tree(numbers.begin(), numbers.end(), typename Tree::Splitter(), traits);
   if (!numbers.empty()) tree.build(); // now, since the queries below run at the same time
 
-  // The tree rounds distances in its own way, so it is asked for a little more.
-  const double reach = radius * (1.0 + 1e-12) + std::numeric_limits<double>::min();
-  fill_rows<Dim>(positions, radius, rows, [&](Index p, std::vector<Index>& list) {
-    tree.search(std::back_inserter(list), CGAL::Fuzzy_sphere<Traits>(places[p], reach, 0.0, traits));
+  fill_rows<Dim>(positions, radius, rows, [&](const Surroundings<Dim>& around, std::vector<Index>& list) {
+    const Point centre = Cgal<Dim>::point(around.centre);
+    tree.search(std::back_inserter(list), Sphere(centre, around.reach, 0.0, traits));
   });
 }
 

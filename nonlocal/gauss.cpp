@@ -2,7 +2,34 @@
 
 #include "core/base/parallel.hpp"
 
+#include <numeric>
+
 namespace riedel {
+
+namespace {
+
+constexpr Index width = pack_size; ///< points in a run
+
+Pack widen(const float* from) {
+  std::array<double, width> wide;
+  for (int i = 0; i < width; ++i) wide[i] = from[i];
+  return Pack::load(wide.data());
+}
+
+void narrow(const Pack& from, float* to) {
+  std::array<double, width> wide;
+  from.store(wide.data());
+  for (int i = 0; i < width; ++i) to[i] = static_cast<float>(wide[i]);
+}
+
+/// The lanes in a fixed order, two halves at a time.
+double sum_of(const Pack& a) {
+  std::array<double, width> x;
+  a.store(x.data());
+  return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+}
+
+} // namespace
 
 template <int Dim>
 GaussAverager<Dim>::GaussAverager(double length, std::unique_ptr<NeighbourSearch<Dim>> search)
@@ -10,83 +37,134 @@ GaussAverager<Dim>::GaussAverager(double length, std::unique_ptr<NeighbourSearch
 
 template <int Dim>
 void GaussAverager<Dim>::forget_neighbours() {
-  searched_at_.resize(0);
-  weighed_at_.resize(0);
+  points_ = 0;
 }
 
 template <int Dim>
 void GaussAverager<Dim>::follow(const Columns& positions) {
-  if (!moved(positions, weighed_at_, weights_last * length_)) return;
-  if (moved(positions, searched_at_, 0.5 * skin * length_)) search(positions);
-  for_each_block(positions.size(), [&](Range block) { weigh(positions, block); });
-  weighed_at_ = positions;
+  if (points_ == positions.size() && !shifted(positions, places_, 2.0 * weights_last * length_)) return;
+  if (points_ != positions.size() || shifted(positions, searched_at_, skin * length_)) search(positions);
+  for (int a = 0; a < Dim; ++a) std::copy_n(positions[a], points_, places_[a]);
+  for_each_block(teams_of(points_), [&](Range block) { weigh(block); });
 }
 
-/// Both sums run over the neighbours by rising number, and a pair beyond 3 l_c adds exactly nothing, so the result does
-/// not depend on when the neighbours were searched for.
 template <int Dim>
 void GaussAverager<Dim>::average(const double* volumes, const double* field, double* averaged) {
-  const Index points = static_cast<Index>(load_.size());
-  for_each_block(points, [&](Range block) {
-    for (Index p = block.begin; p < block.end; ++p) load_[p] = {volumes[p], volumes[p] * field[p]};
-  });
-  for_each_block(points, [&](Range block) {
+  double *volume = load_[0], *moment = load_[1];
+  for_each_block(points_, [&](Range block) {
     for (Index p = block.begin; p < block.end; ++p) {
-      double volume = 0.0, moment = 0.0;
-      for (std::int64_t k = rows_.start[p]; k < rows_.start[p + 1]; ++k) {
-        const Load& q = load_[rows_.index[k]];
-        volume += weight_[k] * q.volume;
-        moment += weight_[k] * q.moment;
-      }
-      averaged[p] = moment / volume; // d*(x_p) = Σ_q ω_pq V_q d_q / Σ_q ω_pq V_q   (1)
+      volume[p] = volumes[p];
+      moment[p] = volumes[p] * field[p];
     }
   });
+  for_each_block(teams_of(points_), [&](Range block) { sum(block, averaged); });
+}
+
+/// d*(x_p) = Σ_q ω_pq V_q d_q / Σ_q ω_pq V_q   (1)
+template <int Dim>
+void GaussAverager<Dim>::sum(Range teams, double* averaged) const {
+  const double *volumes = load_[0], *moments = load_[1];
+  for (Index t = teams.begin; t < teams.end; ++t) {
+    std::array<Pack, team> volume, moment;
+    volume.fill(0.0);
+    moment.fill(0.0);
+    for (std::int64_t r = first_run_[t]; r < first_run_[t + 1]; ++r) {
+      const Pack V = Pack::load(volumes + run_[r]), Vd = Pack::load(moments + run_[r]);
+      for (int i = 0; i < team; ++i) {
+        const Pack omega = widen(weight_.data() + (r * team + i) * width);
+        volume[i] += omega * V;
+        moment[i] += omega * Vd;
+      }
+    }
+    for (int i = 0; i < team && t * team + i < points_; ++i)
+      averaged[t * team + i] = sum_of(moment[i]) / sum_of(volume[i]);
+  }
 }
 
 template <int Dim>
 void GaussAverager<Dim>::search(const Columns& positions) {
-  search_->find(positions, (GaussWeight::cut + skin) * length_, rows_);
+  NeighbourRows rows;
+  search_->find(positions, (GaussWeight::cut + skin) * length_, rows);
   ++searches_;
   searched_at_ = positions;
-  weight_.resize(rows_.index.size());
-  load_.resize(static_cast<std::size_t>(positions.size()));
-  stayed_.resize(static_cast<std::size_t>(blocks_of(positions.size())));
+  points_ = positions.size();
+  load_.resize(points_ + width); // zeros at the end, since runs may reach beyond the last point
+  places_.resize(points_ + width);
+  for (int a = 0; a < Dim; ++a) std::fill_n(places_[a] + points_, width, std::numeric_limits<double>::infinity());
+  boxes_.resize(static_cast<std::size_t>(blocks_of(points_)));
+  lay_runs(rows);
 }
 
-/// ω of every pair of the block: first all distances, then the weights, eight at a time.
+/// From the rows of a team's points, both rising, to runs: each starts at the first neighbour not yet covered.
 template <int Dim>
-void GaussAverager<Dim>::weigh(const Columns& positions, Range block) {
-  for (Index p = block.begin; p < block.end; ++p)
-    for (std::int64_t k = rows_.start[p]; k < rows_.start[p + 1]; ++k)
-      weight_[k] = squared_distance<Dim>(positions, p, rows_.index[k]);
-  double* omega = weight_.data() + rows_.start[block.begin];
-  double* const end = weight_.data() + rows_.start[block.end];
-  for (; end - omega >= pack_size; omega += pack_size) weight_of_(Pack::load(omega)).store(omega);
-  std::array<double, pack_size> rest{}; // a pack too, since a single exp may round otherwise
-  std::copy(omega, end, rest.begin());
-  weight_of_(Pack::load(rest.data())).store(rest.data());
-  std::copy_n(rest.begin(), end - omega, omega);
+void GaussAverager<Dim>::append_runs(const NeighbourRows& rows, Index t, std::vector<Index>& runs) const {
+  constexpr Index none = std::numeric_limits<Index>::max();
+  std::array<const Index*, team> next, end;
+  for (Index i = 0; i < team; ++i) {
+    next[i] = rows.index.data() + rows.start[std::min(t * team + i, points_)];
+    end[i] = rows.index.data() + rows.start[std::min(t * team + i + 1, points_)];
+  }
+  while (true) {
+    Index first = none;
+    for (int i = 0; i < team; ++i) first = std::min(first, next[i] < end[i] ? *next[i] : none);
+    if (first == none) return;
+    runs.push_back(first);
+    for (int i = 0; i < team; ++i)
+      while (next[i] < end[i] && *next[i] < first + width) ++next[i];
+  }
 }
 
-/// Has any point moved further than `distance` [m]? Yes when their number has changed or a position is not a number.
 template <int Dim>
-bool GaussAverager<Dim>::moved(const Columns& positions, const Columns& since, double distance) {
-  if (since.size() != positions.size()) return true;
-  const Pack limit = square(distance);
-  const auto stayed = [&](Range block) {
-    bool near = true;
-    for (Index p = block.begin; p < block.end; p += pack_size) { // columns are padded to whole packs
-      Pack squared(0.0);
-      for (int a = 0; a < Dim; ++a) {
-        const Pack way = Pack::load(positions[a] + p) - Pack::load(since[a] + p);
-        squared += way * way;
-      }
-      near = near && all(squared <= limit);
+void GaussAverager<Dim>::lay_runs(const NeighbourRows& rows) {
+  const Index teams = teams_of(points_);
+  first_run_.assign(static_cast<std::size_t>(teams) + 1, 0);
+  std::vector<std::vector<Index>> parts(static_cast<std::size_t>(blocks_of(teams)));
+  for_each_block(teams, [&](Range block) {
+    std::vector<Index>& part = parts[block.begin / block_size];
+    for (Index t = block.begin; t < block.end; ++t) {
+      const std::size_t before = part.size();
+      append_runs(rows, t, part);
+      first_run_[t + 1] = static_cast<std::int64_t>(part.size() - before);
     }
-    return static_cast<char>(near);
-  };
-  const auto both = [](char a, char b) { return static_cast<char>(a && b); };
-  return reduce_blocks(positions.size(), stayed_, char{1}, stayed, both) == 0;
+  });
+  std::partial_sum(first_run_.begin(), first_run_.end(), first_run_.begin());
+  run_.clear(); // or its memory might be doubled
+  run_.resize(static_cast<std::size_t>(first_run_.back()));
+  weight_.clear();
+  weight_.resize(run_.size() * team * width);
+  for_each_block(teams, [&](Range block) {
+    std::ranges::copy(parts[block.begin / block_size], run_.begin() + first_run_[block.begin]);
+  });
+}
+
+template <int Dim>
+void GaussAverager<Dim>::weigh(Range teams) {
+  using Floats = xsimd::batch<float>;
+  std::array<float, team * width> squares; // (r/l_c)²
+  static_assert(squares.size() % Floats::size == 0);
+  for (Index t = teams.begin; t < teams.end; ++t)
+    for (std::int64_t r = first_run_[t]; r < first_run_[t + 1]; ++r) {
+      for (Index i = 0; i < team; ++i) {
+        Pack sum(0.0);
+        for (int a = 0; a < Dim; ++a) {
+          const double* x = places_[a];
+          const Pack way = Pack::load(x + run_[r]) - Pack(x[t * team + i]);
+          sum += way * way;
+        }
+        narrow(weight_of_.scaled(sum), squares.data() + i * width);
+      }
+      float* omega = weight_.data() + r * team * width;
+      for (std::size_t i = 0; i < squares.size(); i += Floats::size)
+        GaussWeight::at(Floats::load_unaligned(squares.data() + i)).store_unaligned(omega + i);
+    }
+}
+
+/// Has the way from any point to any other changed by more than `distance` [m]? Also when a position is not a number.
+template <int Dim>
+bool GaussAverager<Dim>::shifted(const Columns& positions, const Columns& since, double distance) {
+  if (points_ == 0) return false;
+  const Box<Dim> ways = box_of(positions, &since, boxes_);
+  return !((ways.upper - ways.lower).norm() <= distance);
 }
 
 template class GaussAverager<2>;

@@ -3,6 +3,7 @@
 #include "nonlocal/cell_list.hpp"
 #include "nonlocal/cgal_kd_tree.hpp"
 #include "nonlocal/gauss.hpp"
+#include "nonlocal/gauss_grid.hpp"
 
 namespace riedel {
 
@@ -31,6 +32,9 @@ void register_nonlocal(CatalogueOf<Dim>& catalogue) {
   catalogue.averagers.add({"gauss", "sum over pairs with Gauss's weights, cut at 3 l_c",
                            "Krzyżanowski, Wójcik & Tejchman (2020), eqs. (1), (2)"},
                           make_averager<GaussAverager<Dim>, NeighbourSearch<Dim>>());
+  catalogue.averagers.add({"gauss_grid", "the same through a fine grid, for many neighbours; to 1e-3, without a search",
+                           "Krzyżanowski, Wójcik & Tejchman (2020), eqs. (1), (2)"},
+                          [](double length, auto) { return std::make_unique<GaussGridAverager<Dim>>(length); });
 }
 
 template void register_nonlocal<2>(CatalogueOf<2>&);

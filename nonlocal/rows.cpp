@@ -1,6 +1,8 @@
 #include "nonlocal/rows.hpp"
 
-#include <cmath>
+#include "core/base/pack.hpp"
+
+#include <bit>
 
 namespace riedel {
 
@@ -12,19 +14,95 @@ void require_finite(const Columns& positions) {
         throw RunError("point " + std::to_string(p) + " has no finite position; its neighbours cannot be searched for");
 }
 
+/// A little wider than the radius asks for, so that no rounding leaves a neighbour outside.
 template <int Dim>
-void keep_neighbours(const Columns& positions, Index p, double radius, std::size_t first, std::vector<Index>& list) {
-  const auto begin = list.begin() + static_cast<std::ptrdiff_t>(first);
-  const double limit = square(radius);
-  const auto far =
-      std::remove_if(begin, list.end(), [&](Index q) { return squared_distance<Dim>(positions, p, q) > limit; });
-  list.erase(far, list.end());
-  std::sort(begin, list.end());
+Surroundings<Dim> RowMaker<Dim>::surroundings(Range points) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Surroundings<Dim> around;
+  const double radius = radius_ * (1.0 + 1e-12) + std::numeric_limits<double>::min();
+  double squared = 0.0;
+  for (int a = 0; a < Dim; ++a) {
+    const auto [lower, upper] = std::minmax_element(positions_[a] + points.begin, positions_[a] + points.end);
+    around.lower[a] = std::nextafter(*lower - radius, -infinity);
+    around.upper[a] = std::nextafter(*upper + radius, infinity);
+    around.centre[a] = points.size() == 1 ? *lower : 0.5 * *lower + 0.5 * *upper;
+    squared += square(std::max(around.centre[a] - *lower, *upper - around.centre[a]));
+  }
+  around.reach = radius + (1.0 + 1e-12) * std::sqrt(squared);
+  return around;
+}
+
+/// Are the points within three radii? Beyond, most candidates would be far from most points.
+template <int Dim>
+bool RowMaker<Dim>::is_compact(const Surroundings<Dim>& around) const {
+  return (around.upper - around.lower).maxCoeff() <= 5.0 * radius_;
+}
+
+/// Keeps the candidates in the box, each once, rising, and fetches where they lie.
+template <int Dim>
+void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
+  std::size_t kept = 0;
+  Index first = std::numeric_limits<Index>::max(), last = -1;
+  for (const Index q : list_) {
+    bool inside = true;
+    for (int a = 0; a < Dim; ++a) inside &= positions_[a][q] >= around.lower[a] && positions_[a][q] <= around.upper[a];
+    list_[kept] = q;
+    kept += inside;
+    first = std::min(first, inside ? q : first);
+    last = std::max(last, inside ? q : last);
+  }
+  list_.resize(kept);
+  const std::size_t words = static_cast<std::size_t>(last - first) / 64 + 1;
+  if (words < 16 * kept) { // as a rule: much faster than sorting
+    marks_.assign(words, 0);
+    for (const Index q : list_) marks_[(q - first) / 64] |= std::uint64_t{1} << ((q - first) % 64);
+    auto to = list_.begin();
+    for (std::size_t w = 0; w < words; ++w)
+      for (std::uint64_t bits = marks_[w]; bits != 0; bits &= bits - 1)
+        *to++ = first + static_cast<Index>(64 * w) + std::countr_zero(bits);
+    list_.erase(to, list_.end());
+  } else {
+    std::ranges::sort(list_);
+    list_.erase(std::unique(list_.begin(), list_.end()), list_.end());
+  }
+  for (int a = 0; a < Dim; ++a) {
+    near_[a].assign((list_.size() + pack_size - 1) / pack_size * pack_size, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < list_.size(); ++k) near_[a][k] = positions_[a][list_[k]];
+  }
+}
+
+/// Of the candidates keeps the neighbours of p. Packs may round a distance in their own way, so what lies on the radius
+/// to rounding is decided by the contract's sum, for every search by this one compiled function.
+template <int Dim>
+std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
+  const double limit = square(radius_);
+  const Pack surely = limit * (1.0 - 1e-12), perhaps = limit * (1.0 + 1e-12);
+  const std::size_t before = rows_.size();
+  list_.resize(near_[0].size()); // what fills up the last pack has no distance and is never kept
+  rows_.resize(before + list_.size());
+  Index* to = rows_.data() + before;
+  for (std::size_t k = 0; k < list_.size(); k += pack_size) {
+    Pack squared(0.0);
+    for (int a = 0; a < Dim; ++a) {
+      const Pack way = Pack(positions_[a][p]) - Pack::load(near_[a].data() + k);
+      squared += way * way;
+    }
+    auto inside = lanes(squared <= surely);
+    if (const auto not_far = lanes(squared <= perhaps); not_far != inside)
+      for (int i = 0; i < pack_size; ++i)
+        if (not_far[i] && !inside[i]) inside[i] = squared_distance<Dim>(positions_, p, list_[k + i]) <= limit;
+    for (int i = 0; i < pack_size; ++i) {
+      *to = list_[k + i];
+      to += inside[i];
+    }
+  }
+  rows_.resize(static_cast<std::size_t>(to - rows_.data()));
+  return static_cast<std::int64_t>(rows_.size() - before);
 }
 
 template void require_finite<2>(const Columns&);
 template void require_finite<3>(const Columns&);
-template void keep_neighbours<2>(const Columns&, Index, double, std::size_t, std::vector<Index>&);
-template void keep_neighbours<3>(const Columns&, Index, double, std::size_t, std::vector<Index>&);
+template class RowMaker<2>;
+template class RowMaker<3>;
 
 } // namespace riedel

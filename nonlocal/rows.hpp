@@ -12,28 +12,67 @@ namespace riedel {
 template <int Dim>
 void require_finite(const Columns& positions);
 
-/// Of the entries of `list` from `first` on, keeps the neighbours of p, rising. Every search decides by this one
-/// compiled function, so that none rounds a distance in its own way.
+/// Where all neighbours of a few consecutive points lie: in this box, and in this ball.
 template <int Dim>
-void keep_neighbours(const Columns& positions, Index p, double radius, std::size_t first, std::vector<Index>& list);
+struct Surroundings {
+  Vec<Dim> lower, upper; ///< corners of the box [m]
+  Vec<Dim> centre;       ///< [m]
+  double reach;          ///< of the ball around the centre [m]
+};
+
+/// Makes the rows of one block. Consecutive points are near each other as a rule, so that their candidates are looked
+/// for once and put in order once.
+template <int Dim>
+class RowMaker {
+public:
+  static constexpr Index group = 16; ///< consecutive points looked at together, at most
+
+  RowMaker(const Columns& positions, double radius) : positions_(positions), radius_(radius) {}
+
+  /// Appends the rows of the points to `row_`, and their lengths to `lengths`.
+  /// @param candidates `candidates(surroundings, list)` appends every point in both of them and perhaps others
+  template <class Candidates>
+  void append(Range points, std::int64_t* lengths, const Candidates& candidates) {
+    const Surroundings<Dim> around = surroundings(points);
+    if (points.size() > group || (points.size() > 1 && !is_compact(around))) {
+      const Index middle = points.begin + points.size() / 2;
+      append({points.begin, middle}, lengths, candidates);
+      return append({middle, points.end}, lengths + (middle - points.begin), candidates);
+    }
+    list_.clear();
+    candidates(around, list_);
+    put_in_order(around);
+    for (Index p = points.begin; p < points.end; ++p) *lengths++ = keep_neighbours(p);
+  }
+  [[nodiscard]] std::vector<Index>&& take() { return std::move(rows_); }
+
+private:
+  [[nodiscard]] Surroundings<Dim> surroundings(Range points) const;
+  [[nodiscard]] bool is_compact(const Surroundings<Dim>& around) const;
+  void put_in_order(const Surroundings<Dim>& around);
+  std::int64_t keep_neighbours(Index p);
+
+  const Columns& positions_;
+  double radius_;
+  std::vector<Index> rows_;
+  std::vector<Index> list_;                     ///< candidates
+  std::vector<std::uint64_t> marks_;            ///< a bit for each point between the first and the last candidate
+  std::array<AlignedVector<double>, Dim> near_; ///< positions of the candidates, padded to whole packs [m]
+};
 
 /// Fills the rows, blocks of points at once; they do not depend on the number of threads.
-/// @param candidates `candidates(p, list)` appends every neighbour of p and perhaps others, each once
 template <int Dim, class Candidates>
 void fill_rows(const Columns& positions, double radius, NeighbourRows& rows, const Candidates& candidates) {
   const Index points = positions.size();
   std::vector<std::vector<Index>> parts(static_cast<std::size_t>(blocks_of(points)));
   rows.start.assign(static_cast<std::size_t>(points) + 1, 0);
   for_each_block(points, [&](Range block) {
-    std::vector<Index>& part = parts[block.begin / block_size];
-    for (Index p = block.begin; p < block.end; ++p) {
-      const std::size_t first = part.size();
-      candidates(p, part);
-      keep_neighbours<Dim>(positions, p, radius, first, part);
-      rows.start[p + 1] = static_cast<std::int64_t>(part.size() - first);
-    }
+    RowMaker<Dim> maker(positions, radius);
+    maker.append(block, rows.start.data() + block.begin + 1, candidates);
+    parts[block.begin / block_size] = maker.take();
   });
   std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
+  rows.index.clear(); // or its memory might be doubled
   rows.index.resize(static_cast<std::size_t>(rows.start.back()));
   for_each_block(points, [&](Range block) {
     std::ranges::copy(parts[block.begin / block_size], rows.index.begin() + rows.start[block.begin]);

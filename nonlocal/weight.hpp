@@ -14,11 +14,20 @@ public:
   /// @param length l_c [m]
   explicit GaussWeight(double length) : per_square_(1.0 / square(length)) {}
 
+  /// @param squared r² [m²]   @return s = (r/l_c)² [-]
+  template <class Real>
+  [[nodiscard]] Real scaled(const Real& squared) const {
+    return squared * Real(per_square_);
+  }
+  /// @param s (r/l_c)² [-], a double, a pack or a batch of floats   @return ω [-]
+  template <class Real>
+  [[nodiscard]] static Real at(const Real& s) {
+    return select(s <= Real(square(cut)), exp(-s), Real(0.0));
+  }
   /// @param squared r² [m²]   @return ω [-]
   template <class Real>
   [[nodiscard]] Real operator()(const Real& squared) const {
-    const Real s = squared * Real(per_square_);
-    return select(s <= Real(square(cut)), exp(-s), Real(0.0));
+    return at(scaled(squared));
   }
 
 private:

@@ -1,20 +1,27 @@
-/// Counts what the whole test program takes from the heap, to show that averaging takes nothing.
-#include "nonlocal/clouds.hpp"
+/// Counts what the whole test program takes from the heap, to show that averaging takes nothing and keeps little.
+#include "nonlocal/averages.hpp"
 
 #include "nonlocal/register.hpp"
 
 #include <atomic>
 #include <cstdlib>
-#include <gtest/gtest.h>
+#include <malloc.h>
 
 namespace {
 std::atomic<long> allocations = 0;
+std::atomic<long> bytes = 0; ///< taken and not given back
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
   void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
+  bytes += static_cast<long>(malloc_usable_size(memory));
   return memory;
+}
+
+void give_back(void* memory) noexcept {
+  bytes -= static_cast<long>(malloc_usable_size(memory));
+  std::free(memory);
 }
 } // namespace
 
@@ -22,10 +29,10 @@ void* operator new(std::size_t size) { return counted(size, alignof(std::max_ali
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { give_back(memory); }
 
 namespace riedel {
 namespace {
@@ -49,6 +56,26 @@ TEST(Averaging, TakesNoMemoryBetweenSearches) {
     }
     EXPECT_EQ(allocations, before);
     EXPECT_EQ(averager->searches(), 1);
+  }
+}
+
+/// All that `gauss` keeps, what it keeps per point included, over the neighbours within 3 l_c and the skin.
+TEST(Averaging, KeepsAtMostTwelveBytesPerNeighbourOfPointsInRows) {
+  CatalogueOf<2> catalogue;
+  register_nonlocal(catalogue);
+  const auto search = catalogue.searches.find("cell_list").make();
+  for (const double part : {0.0, 0.1, 0.3}) {
+    Columns x = lattice<2>({32, 112}, 1.25e-3);
+    shake<2>(x, part * 1.25e-3, 5);
+    const Numbers volumes(static_cast<std::size_t>(x.size()), 1.0);
+    Numbers answer = volumes;
+    NeighbourRows rows;
+    search->find(x, 3.1 * 1.5e-3, rows);
+    const long before = bytes;
+    const auto averager = catalogue.averagers.find("gauss").make(1.5e-3, catalogue.searches.find("cell_list").make());
+    averager->follow(x);
+    averager->average(volumes.data(), volumes.data(), answer.data());
+    EXPECT_LE(static_cast<double>(bytes - before) / static_cast<double>(rows.index.size()), 12.0);
   }
 }
 

@@ -1,7 +1,6 @@
-/// The contract of NonlocalAverager, over the registry with every search, and what is particular to `gauss`.
-#include "nonlocal/clouds.hpp"
+/// The contract of NonlocalAverager, over the registry with every search.
+#include "nonlocal/averages.hpp"
 
-#include "nonlocal/gauss.hpp"
 #include "nonlocal/register.hpp"
 
 #include <gtest/gtest.h>
@@ -11,44 +10,9 @@
 namespace riedel {
 namespace {
 
-using Numbers = std::vector<double>;
-
-Numbers random_numbers(Index count, double lower, double upper, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> number(lower, upper);
-  Numbers answer(static_cast<std::size_t>(count));
-  for (double& x : answer) x = number(random);
-  return answer;
-}
-
-template <int Dim>
-Numbers averaged(NonlocalAverager<Dim>& averager, const Columns& x, const Numbers& volumes, const Numbers& field) {
-  Numbers answer(field.size());
-  averager.follow(x);
-  averager.average(volumes.data(), field.data(), answer.data());
-  return answer;
-}
-
-/// The sum over all pairs as it stands in the paper, with the cut, written without the library's weight.
-template <int Dim>
-Numbers dense_sum(const Columns& x, const Numbers& volumes, const Numbers& field, double length) {
-  Numbers answer(field.size());
-  for (Index p = 0; p < x.size(); ++p) {
-    double above = 0.0, below = 0.0;
-    for (Index q = 0; q < x.size(); ++q) {
-      const double r = std::sqrt(squared_distance<Dim>(x, p, q));
-      if (r > 3 * length) continue;
-      above += std::exp(-(r / length) * (r / length)) * volumes[q] * field[q];
-      below += std::exp(-(r / length) * (r / length)) * volumes[q];
-    }
-    answer[p] = above / below;
-  }
-  return answer;
-}
-
-void expect_near(const Numbers& a, const Numbers& b, double tolerance) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t p = 0; p < a.size(); ++p) ASSERT_NEAR(a[p], b[p], tolerance) << "at point " << p;
+/// How far an averager may be from the dense sum of a field that varies by one from point to point, at random.
+double tolerance(const std::string& averager) {
+  return averager == "gauss_grid" ? 5e-3 : 3e-7; // its kernel is not quite Gauss's; others round their weights at most
 }
 
 template <class Dimension>
@@ -59,12 +23,12 @@ protected:
 
   EveryAverager() { register_nonlocal<axes>(catalogue_); }
 
-  /// Calls `check(make)` for every averager with every search; `make()` gives a fresh one of length l_c.
+  /// Calls `check(make, tolerance)` for every averager with every search; `make()` gives a fresh one of length l_c.
   void for_every_averager(const auto& check) {
     for (const auto& averager : catalogue_.averagers.entries())
       for (const auto& search : catalogue_.searches.entries()) {
         SCOPED_TRACE(averager.description.name + " with " + search.description.name);
-        check([&] { return averager.make(length_, search.make()); });
+        check([&] { return averager.make(length_, search.make()); }, tolerance(averager.description.name));
       }
   }
 
@@ -79,7 +43,7 @@ using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_
 TYPED_TEST_SUITE(EveryAverager, Dimensions, );
 
 TYPED_TEST(EveryAverager, LeavesAUniformFieldAsItIsAlsoAtTheEdges) {
-  this->for_every_averager([&](const auto& make) {
+  this->for_every_averager([&](const auto& make, double) {
     const Numbers uniform(this->field_.size(), 3.7);
     expect_near(averaged(*make(), this->x_, this->volumes_, uniform), uniform, 1e-14);
   });
@@ -87,8 +51,8 @@ TYPED_TEST(EveryAverager, LeavesAUniformFieldAsItIsAlsoAtTheEdges) {
 
 TYPED_TEST(EveryAverager, GivesTheDenseSumOverAllPairs) {
   const Numbers expected = dense_sum<TestFixture::axes>(this->x_, this->volumes_, this->field_, this->length_);
-  this->for_every_averager([&](const auto& make) {
-    expect_near(averaged(*make(), this->x_, this->volumes_, this->field_), expected, 1e-13);
+  this->for_every_averager([&](const auto& make, double tolerance) {
+    expect_near(averaged(*make(), this->x_, this->volumes_, this->field_), expected, tolerance);
   });
 }
 
@@ -104,7 +68,7 @@ TYPED_TEST(EveryAverager, CountsAPointOfDoubleVolumeTwice) {
   doubled[5] *= 2;
   volumes.push_back(volumes[5]);
   field.push_back(field[5]);
-  this->for_every_averager([&](const auto& make) {
+  this->for_every_averager([&](const auto& make, double) {
     Numbers of_twice = averaged(*make(), twice, volumes, field);
     of_twice.pop_back();
     expect_near(averaged(*make(), this->x_, doubled, this->field_), of_twice, 1e-14);
@@ -123,7 +87,7 @@ TYPED_TEST(EveryAverager, PermutesItsResultWithThePoints) {
     for (std::size_t p = 0; p < a.size(); ++p) b[p] = a[order[p]];
     return b;
   };
-  this->for_every_averager([&](const auto& make) {
+  this->for_every_averager([&](const auto& make, double) {
     const auto averager = make();
     const Numbers before = averaged(*averager, this->x_, this->volumes_, this->field_);
     averager->forget_neighbours();
@@ -134,7 +98,7 @@ TYPED_TEST(EveryAverager, PermutesItsResultWithThePoints) {
 
 TYPED_TEST(EveryAverager, GivesTheSameBitsForAnyNumberOfThreads) {
   const int before = omp_get_max_threads();
-  this->for_every_averager([&](const auto& make) {
+  this->for_every_averager([&](const auto& make, double) {
     omp_set_num_threads(1);
     const Numbers one = averaged(*make(), this->x_, this->volumes_, this->field_);
     for (const int threads : {2, 4}) {
@@ -157,53 +121,30 @@ TYPED_TEST(EveryAverager, GivesTheSameBitsWithEverySearch) {
 TYPED_TEST(EveryAverager, NoticesThatThereAreOtherPoints) {
   const Columns fewer = random_points<TestFixture::axes>(100, 0.4);
   const Numbers volumes(100, 1.0), field = random_numbers(100, 0.0, 1.0, 9);
-  this->for_every_averager([&](const auto& make) {
+  this->for_every_averager([&](const auto& make, double tolerance) {
     const auto averager = make();
     averaged(*averager, this->x_, this->volumes_, this->field_);
     expect_near(averaged(*averager, fewer, volumes, field),
-                dense_sum<TestFixture::axes>(fewer, volumes, field, this->length_), 1e-13);
+                dense_sum<TestFixture::axes>(fewer, volumes, field, this->length_), tolerance);
   });
 }
 
-/// Moves every point its own way, at most by `step` along each axis.
-template <int Dim>
-void shake(Columns& x, double step, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> way(-step, step);
-  for (int a = 0; a < Dim; ++a)
-    for (Index p = 0; p < x.size(); ++p) x[a][p] += way(random);
-}
-
-TYPED_TEST(EveryAverager, GivesTheSameBitsWithKeptNeighboursAsWithFreshOnes) {
-  this->for_every_averager([&](const auto& make) {
+TYPED_TEST(EveryAverager, GivesTheSameToRoundingWithKeptNeighboursAsWithFreshOnes) {
+  this->for_every_averager([&](const auto& make, double) {
     const auto kept = make();
     Columns x = this->x_;
     int calls = 0;
     for (; calls < 40; ++calls) {
       shake<TestFixture::axes>(x, 0.01 * this->length_, 100 + calls); // far enough for new weights at each call
-      EXPECT_EQ(averaged(*kept, x, this->volumes_, this->field_), averaged(*make(), x, this->volumes_, this->field_));
+      expect_near(averaged(*kept, x, this->volumes_, this->field_), averaged(*make(), x, this->volumes_, this->field_),
+                  1e-14); // the same weights, summed in another order
     }
-    EXPECT_GT(kept->searches(), 1);
     EXPECT_LT(kept->searches(), calls / 2);
   });
 }
 
-TYPED_TEST(EveryAverager, StaysWithinItsBoundOfTheDenseSumWhilePointsCreep) {
-  constexpr double bound = 5.0 * GaussAverager<TestFixture::axes>::weights_last; // the field varies by one
-  this->for_every_averager([&](const auto& make) {
-    const auto averager = make();
-    Columns x = this->x_;
-    for (int call = 0; call < 12; ++call) {
-      expect_near(averaged(*averager, x, this->volumes_, this->field_),
-                  dense_sum<TestFixture::axes>(x, this->volumes_, this->field_, this->length_), bound);
-      shake<TestFixture::axes>(x, 3e-4 * this->length_, 200 + call);
-    }
-    EXPECT_EQ(averager->searches(), 1);
-  });
-}
-
 TYPED_TEST(EveryAverager, SearchesOnceWhileNothingMovesUnlessToldToForget) {
-  this->for_every_averager([&](const auto& make) {
+  this->for_every_averager([&](const auto& make, double) {
     const auto averager = make();
     for (int call = 0; call < 5; ++call) averaged(*averager, this->x_, this->volumes_, this->field_);
     EXPECT_EQ(averager->searches(), 1);
@@ -211,26 +152,6 @@ TYPED_TEST(EveryAverager, SearchesOnceWhileNothingMovesUnlessToldToForget) {
     averaged(*averager, this->x_, this->volumes_, this->field_);
     EXPECT_EQ(averager->searches(), 2);
   });
-}
-
-/// The sum over a lattice acts like a smooth average over l = √(second moment of its weights), since ∫ x² ω = l_c²/2 ∫
-/// ω for Gauss's weight: averaging x² in the middle of a wide lattice adds l²/2.
-double acting_length(double spacing, double length) {
-  const Columns x = lattice<2>({41, 41}, spacing);
-  const Index middle = (x.size() - 1) / 2;
-  Numbers squares(static_cast<std::size_t>(x.size()));
-  for (Index p = 0; p < x.size(); ++p) squares[p] = square(x[0][p] - x[0][middle]);
-  CatalogueOf<2> catalogue;
-  register_nonlocal(catalogue);
-  const auto averager = catalogue.averagers.find("gauss").make(length, catalogue.searches.find("cell_list").make());
-  return std::sqrt(2 * averaged(*averager, x, Numbers(squares.size(), 1.0), squares)[middle]);
-}
-
-TEST(GaussAverager, ActsLikeAShorterLengthOnACoarseLattice) {
-  const double length = 1.5e-3;
-  EXPECT_NEAR(acting_length(2.5e-3, length) / length, 0.784, 5e-4);
-  EXPECT_NEAR(acting_length(5e-3 / 3, length) / length, 0.994, 5e-4);
-  EXPECT_NEAR(acting_length(1.25e-3, length) / length, 0.999, 5e-4);
 }
 
 } // namespace
