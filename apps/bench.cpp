@@ -64,7 +64,7 @@ int cases_mode(const Arguments& arguments, const std::vector<BenchCase>& cases, 
   write_json(arguments, json);
   if (results.empty()) return 0;
   std::cout << "Nanoseconds and bytes per point; median of " << effort.repeats << " repeats. " << processor_name()
-            << "\n\n"
+            << "; bare kernel: " << instruction_set() << "\n\n"
             << (peers ? peers_table(results) : results_table(results))
             << "\nBy phase, ns, measured apart with the clock running\n\n"
             << phases_table(results);

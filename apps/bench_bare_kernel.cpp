@@ -133,7 +133,7 @@ void BareKernel<Law, States, Nodes>::points_to_grid() {
       for (int j = 0; j < Nodes; ++j) {
         const double N = w.N[1][j][k], dN = w.dN[1][j][k];
         mass[j] += N * Nm;
-        for (int i = 0; i < Nodes; ++i) sum[j][i] += N * x_part[i] + dN * y_part[i];
+        for (int i = 0; i < Nodes; ++i) sum[j][i] += N * x_part[i], sum[j][i] += dN * y_part[i]; // two multiply-adds
       }
     }
   }

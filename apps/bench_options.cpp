@@ -132,15 +132,18 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
   all = vary(all, &BenchCase::dimension, integers(arguments, "dimension", {"2"}, 2, 3));
   all = vary(all, &BenchCase::per_cell, integers(arguments, "per-cell", {"2"}, 1, 8));
   all = vary(all, &BenchCase::length, lengths);
-  all = vary(all, &BenchCase::averager,
-             names(arguments, "averager", otherwise.averager, catalogue.in_2d.averagers.names()));
-  all = vary(all, &BenchCase::search, names(arguments, "search", otherwise.search, catalogue.in_2d.searches.names()));
+  const Texts averagers = names(arguments, "averager", otherwise.averager, catalogue.in_2d.averagers.names());
+  const Texts searches = names(arguments, "search", otherwise.search, catalogue.in_2d.searches.names());
+  all = vary(vary(all, &BenchCase::averager, averagers), &BenchCase::search, searches);
   all = vary(all, &BenchCase::order, names(arguments, "order", otherwise.order, step_orders()));
   all = vary(all, &BenchCase::points, integers(arguments, "points", {"2e3", "1e4", "1e5", "1e6"}, 1, 100'000'000));
   all = vary(all, &BenchCase::scheme, names(arguments, "scheme", otherwise.scheme, catalogue.in_2d.schemes.names()));
   all = vary(all, &BenchCase::threads, integers(arguments, "threads", {"1"}, 1, 1024));
 
-  std::erase_if(all, [&](const BenchCase& c) { return c.length > 0.0 && !averages(c.material, catalogue); });
+  std::erase_if(all, [&](const BenchCase& c) {
+    if (c.length == 0.0) return c.averager != averagers.front() || c.search != searches.front(); // local: once
+    return !averages(c.material, catalogue);
+  });
   if (all.empty()) throw InputError("--length: none of the laws named takes an average; 0 is local");
   return all;
 }

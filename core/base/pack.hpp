@@ -9,6 +9,16 @@
 
 namespace riedel {
 
+// A pack's layout depends on the instruction set, so its name does, too: libraries that were compiled for different
+// ones live in one process without taking each other's packs and functions for their own.
+#if defined(__AVX512F__)
+inline namespace avx512 {
+#elif defined(__AVX__)
+inline namespace avx {
+#else
+inline namespace sse {
+#endif
+
 namespace detail {
 using Register = xsimd::batch<double>;
 constexpr int register_size = static_cast<int>(Register::size);
@@ -135,4 +145,5 @@ using std::min;
 using std::pow;
 using std::sqrt;
 
+} // inline namespace of the instruction set
 } // namespace riedel
