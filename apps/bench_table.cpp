@@ -45,6 +45,25 @@ Row row_of_names(const BenchResult& r) {
           std::to_string(r.of.threads)};
 }
 
+/// What a step must move and compute for a point, counted in docs/benchmarks.md.
+struct Demand {
+  const char* name;
+  double bytes, flops;
+};
+constexpr std::array<Demand, 4> demands{
+    {{"linear 2-D", 296, 202}, {"gimp 2-D", 328, 447}, {"cpdi 2-D", 360, 728}, {"gimp 3-D", 528, 2008}}};
+
+/// Moving and computing overlap: the larger of the two is the least that a step can take.
+std::string bounds_table(const MachineLimits& m) {
+  std::vector<Row> rows;
+  for (const Demand& d : demands) {
+    const double memory = d.bytes / m.triad_memory, arithmetic = d.flops / m.fma;
+    rows.push_back({d.name, fixed(d.bytes, 0), fixed(d.flops, 0), figure(memory), figure(arithmetic),
+                    figure(std::max(memory, arithmetic + m.law_pack))});
+  }
+  return markdown_table({"scheme", "bytes", "flops", "memory ns", "flops ns", "bound ns, with one rate"}, rows, 1);
+}
+
 } // namespace
 
 std::string markdown_table(const Row& head, const std::vector<Row>& rows, std::size_t left) {
@@ -104,7 +123,8 @@ std::string machine_tables(const MachineLimits& m, const BareKernelTimes& bare) 
   for (std::size_t i = 0; i < BareKernelTimes::points.size(); ++i)
     rows.push_back({std::to_string(BareKernelTimes::points[i]), figure(bare.linear[i]), figure(bare.gimp[i])});
   return one + "\nBare kernel, ns per point and step (2-D, usl, gudehus_bauer, one thread)\n\n" +
-         markdown_table({"points", "linear", "gimp"}, rows, 0);
+         markdown_table({"points", "linear", "gimp"}, rows, 0) +
+         "\nLower bounds, ns per point and step, points in memory\n\n" + bounds_table(m);
 }
 
 nlohmann::ordered_json results_json(const std::vector<BenchResult>& results) {
