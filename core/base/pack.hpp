@@ -2,22 +2,13 @@
 /// A formula that is a template on `Real` and calls the functions below runs on either. A mask of a double is a bool.
 #pragma once
 
+#include "core/base/pack_name.hpp"
 #include "core/base/types.hpp"
 
 #include <cmath>
 #include <xsimd/xsimd.hpp>
 
 namespace riedel {
-
-// A pack's layout depends on the instruction set, so its name does, too: libraries that were compiled for different
-// ones live in one process without taking each other's packs and functions for their own.
-#if defined(__AVX512F__)
-inline namespace avx512 {
-#elif defined(__AVX__)
-inline namespace avx {
-#else
-inline namespace sse {
-#endif
 
 namespace detail {
 using Register = xsimd::batch<double>;
@@ -27,12 +18,12 @@ static_assert(registers * register_size == pack_size);
 } // namespace detail
 
 /// Eight truth values.
-struct Mask {
+struct instructions::Mask {
   std::array<detail::Register::batch_bool_type, detail::registers> r;
 };
 
 /// Eight doubles.
-struct Pack {
+struct instructions::Pack {
   std::array<detail::Register, detail::registers> r;
 
   Pack() = default;
@@ -145,5 +136,4 @@ using std::min;
 using std::pow;
 using std::sqrt;
 
-} // inline namespace of the instruction set
 } // namespace riedel
