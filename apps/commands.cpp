@@ -1,5 +1,6 @@
 #include "apps/commands.hpp"
 
+#include "apps/bench_options.hpp"
 #include "apps/biaxial_keys.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/key_tables.hpp"
@@ -15,6 +16,21 @@ Options check_options() {
   options.push_back({"schema", "", "print a JSON Schema of the case, for editors"});
   options.push_back({"reference", "", "print the reference of all keys as Markdown"});
   return options;
+}
+
+std::string bench_help() {
+  return R"(Lists are crossed: --scheme linear,cpdi --points 1e4,1e5 makes four cases. Each is a block of sand under 100 kPa that
+shears and is compressed by 1e-6 in a step. The total is the median of the repeats, without the clock of the phases;
+the phases are measured in a repeat of their own. Bytes are what the program holds for the case. "of bare kernel"
+is the time over that of a step written out by hand for this machine (2-D, usl, one thread), of the same kind of
+scheme and nearest in size: compare it between machines rather than times. Tables are Markdown.
+
+Examples
+  riedel bench --scheme linear,gimp,cpgimp,cpdi --points 1e5
+  riedel bench --length 0,1.5mm --search cgal_kd_tree,cell_list --points 1e4 --threads 1,2 --json bench.json
+  riedel bench --peers
+  riedel bench --machine
+)";
 }
 
 } // namespace
@@ -33,6 +49,8 @@ const std::vector<Command>& commands() {
        1,
        {},
        list},
+      {"bench", "[options]", "Nanoseconds per point and step, by phase; what peers reach; what the machine can do.", 0,
+       bench_options(), bench, bench_help},
   };
   return all;
 }

@@ -8,6 +8,7 @@ namespace riedel {
 int biaxial(const Arguments& arguments);
 int list(const Arguments& arguments);
 int check(const Arguments& arguments);
+int bench(const Arguments& arguments);
 
 const std::vector<Command>& commands();
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/exp_log.hpp"
+#include "core/base/pack_name.hpp"
 #include "core/base/types.hpp"
 
 namespace riedel {
@@ -13,7 +14,7 @@ static_assert(registers * register_size == pack_size);
 } // namespace detail
 
 /// Eight truth values.
-struct Mask {
+struct instructions::Mask {
   std::array<detail::Register::batch_bool_type, detail::registers> r;
 
   template <class F>
@@ -25,7 +26,7 @@ struct Mask {
 };
 
 /// Eight doubles.
-struct Pack {
+struct instructions::Pack {
   std::array<detail::Register, detail::registers> r;
 
   Pack() = default;

@@ -1,0 +1,30 @@
+/// What one core of this machine can do: the scale for every other figure.
+#pragma once
+
+#include "apps/bench_measure.hpp"
+
+namespace riedel {
+
+/// Instruction set that this program was compiled for, as wide as its packs: "AVX-512".
+std::string instruction_set();
+std::string processor_name();
+
+/// Nanoseconds per point and step of the bare kernel with the hypoplastic law; bench_bare_kernel.hpp.
+struct BareKernelTimes {
+  static constexpr std::array points{4'096, 102'400};
+  std::array<double, points.size()> linear{}, gimp{};
+  /// The one to compare with: of the same kind and nearest in the number of points.
+  [[nodiscard]] double nearest(bool wide, int points_of_case) const;
+};
+BareKernelTimes measure_bare_kernel(const BenchEffort& effort);
+
+struct MachineLimits {
+  double triad_memory = 0, triad_l2 = 0; ///< a = b + s c, three arrays of 128 MB or 170 kB [GB/s]
+  double fma = 0;                        ///< multiply-adds of packs in registers [GFLOP/s]
+  double exp_pack = 0, exp_scalar = 0;   ///< per call [ns]
+  double pow_pack = 0, pow_scalar = 0;   ///< per call [ns]
+  double law_pack = 0, law_scalar = 0;   ///< one rate of gudehus_bauer at one point [ns]
+};
+MachineLimits measure_machine(const BenchEffort& effort);
+
+} // namespace riedel
