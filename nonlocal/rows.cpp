@@ -6,6 +6,10 @@
 
 namespace riedel {
 
+namespace {
+constexpr Index nobody = -1; ///< fills the last pack of candidates, infinitely far away
+} // namespace
+
 template <int Dim>
 void require_finite(const Columns& positions) {
   for (Index p = 0; p < positions.size(); ++p)
@@ -66,9 +70,10 @@ void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
     list_.erase(std::unique(list_.begin(), list_.end()), list_.end());
   }
   for (int a = 0; a < Dim; ++a) {
-    near_[a].assign((list_.size() + pack_size - 1) / pack_size * pack_size, std::numeric_limits<double>::quiet_NaN());
+    near_[a].assign((list_.size() + pack_size - 1) / pack_size * pack_size, std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < list_.size(); ++k) near_[a][k] = positions_[a][list_[k]];
   }
+  list_.resize(near_[0].size(), nobody);
 }
 
 /// Of the candidates keeps the neighbours of p. Packs may round a distance in their own way, so what lies on the radius
@@ -76,9 +81,8 @@ void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
 template <int Dim>
 std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
   const double limit = square(radius_);
-  const Pack surely = limit * (1.0 - 1e-12), perhaps = limit * (1.0 + 1e-12);
+  const Pack near_limit = limit * 1e-12;
   const std::size_t before = rows_.size();
-  list_.resize(near_[0].size()); // what fills up the last pack has no distance and is never kept
   rows_.resize(before + list_.size());
   Index* to = rows_.data() + before;
   for (std::size_t k = 0; k < list_.size(); k += pack_size) {
@@ -87,10 +91,10 @@ std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
       const Pack way = Pack(positions_[a][p]) - Pack::load(near_[a].data() + k);
       squared += way * way;
     }
-    auto inside = lanes(squared <= surely);
-    if (const auto not_far = lanes(squared <= perhaps); not_far != inside)
+    auto inside = lanes(squared <= Pack(limit));
+    if (!all(abs(squared - Pack(limit)) > near_limit))
       for (int i = 0; i < pack_size; ++i)
-        if (not_far[i] && !inside[i]) inside[i] = squared_distance<Dim>(positions_, p, list_[k + i]) <= limit;
+        inside[i] = list_[k + i] != nobody && squared_distance<Dim>(positions_, p, list_[k + i]) <= limit;
     for (int i = 0; i < pack_size; ++i) {
       *to = list_[k + i];
       to += inside[i];
