@@ -5,9 +5,9 @@
 namespace riedel {
 
 namespace {
-/// N = 1 − |r|/h.
-constexpr auto hat = [](const Pack& r, const Axis& axis) -> ValueSlope<Pack> {
-  return {.value = max(Pack(1.0) - abs(r) * axis.per_h, Pack(0.0)), .slope = -copysign(axis.per_h, r)};
+/// N = 1 − |r|/h at both nodes of the cell.
+constexpr auto hats = [](const Pack& s, const Axis& axis) -> std::array<ValueSlope<Pack>, 2> {
+  return {{{.value = Pack(1.0) - s, .slope = -axis.per_h}, {.value = s, .slope = axis.per_h}}};
 };
 } // namespace
 
@@ -18,7 +18,7 @@ void Linear<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Ran
     std::array<AxisLanes, Dim> lanes;
     for (int a = 0; a < Dim; ++a)
       lanes[a] = {.position = load_lanes(points.position[a], p, points.size()), .half_width = Pack(0.0)};
-    fill_tensor_product<Dim, 2>(grid, lanes, stencils.group_of(p), hat);
+    fill_tensor_product<Dim, 2>(grid, lanes, stencils.group_of(p), hats);
   }
 }
 

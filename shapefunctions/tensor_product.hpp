@@ -17,11 +17,19 @@ struct AxisLanes {
   Pack position, half_width;
 };
 
-/// What a function of one variable needs besides the distance.
+/// What a function of one variable needs besides the place.
 struct Axis {
   Pack h, per_h;  ///< cell size [m] and 1/h
   Pack l, per_2l; ///< half width of the points' domains [m] and 1/(2 l)
 };
+
+/// The factors of `Nodes` nodes in a row, from a function of the distance r [m] from a node.
+template <int Nodes, class Function>
+std::array<ValueSlope<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis, const Function& function) {
+  std::array<ValueSlope<Pack>, Nodes> factor;
+  for (int i = 0; i < Nodes; ++i) factor[i] = function((s - Pack(static_cast<double>(i))) * axis.h, axis);
+  return factor;
+}
 
 /// Weights of the product's nodes, the first axis fastest.
 template <int Nodes>
@@ -55,7 +63,9 @@ void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 3>& fac
 
 /// Fills one group of eight points. The nodes taken along an axis are the first `Nodes` that lie less than h + l from
 /// the point.
-/// @param lanes position and half width along each axis   @param function (r, axis) -> ValueSlope<Pack>
+/// @param lanes position and half width along each axis
+/// @param function (s, axis) -> the factors of the nodes, s the place in cells beyond the first of them: l/h ≤ s < 1 +
+/// l/h
 template <int Dim, int Nodes, class Function>
 void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>& lanes, StencilGroup<Dim>& group,
                          const Function& function) {
@@ -75,9 +85,9 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
     inside = a == 0 ? fits : inside && fits;
     row = select(fits, lowest, Pack(0.0));
     base += row * Pack(strides[a]);
-    // Between l/h and l/h + 1 whatever the rounding, so that a point on a node lies on one side of it for certain.
-    const Pack least = axis.l * axis.per_h, share = max(least, min(place - lowest, least + Pack(1.0 - 0x1p-53)));
-    for (int i = 0; i < Nodes; ++i) factor[a][i] = function((share - Pack(static_cast<double>(i))) * axis.h, axis);
+    // Compilers may round `place` twice; the bounds hold all the same.
+    const Pack least = axis.l * axis.per_h;
+    factor[a] = function(max(least, min(place - lowest, least + Pack(1.0 - 0x1p-53))), axis);
   }
   fill_products<Nodes>(factor, strides, group, whole_numbers(base));
   group.count = power(Nodes, Dim);
