@@ -72,6 +72,11 @@ const std::vector<std::string>& step_orders() {
   return all;
 }
 
+const std::vector<std::string>& stencil_memory() {
+  static const std::vector<std::string> all{"auto", "kept", "blocks"};
+  return all;
+}
+
 template <int Dim>
 Counts<Dim> block_cells(Index points, Index per_cell) {
   double left = static_cast<double>(points) / power(per_cell, Dim); // cells
@@ -90,6 +95,7 @@ Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) 
   model.step = step_named<Dim>(wanted.order);
   model.confining_pressure = block::pressure;
   model.flip = block::flip;
+  if (wanted.stencils != "auto") model.keep_stencils = wanted.stencils == "kept";
 
   const auto& law = catalogue.materials.find(wanted.material);
   const Counts<Dim> cells = block_cells<Dim>(wanted.points, wanted.per_cell);

@@ -15,6 +15,7 @@ struct BenchCase {
   int threads = 1;
   double length = 0.0; ///< l_c [m]; 0: local
   std::string averager = "gauss", search = "cgal_kd_tree";
+  std::string stencils = "auto"; ///< kept for a step, evaluated in blocks, or what the library chooses
 };
 
 namespace bench_block {
@@ -25,7 +26,8 @@ constexpr double strain_per_step = 1e-6; ///< ‖D‖ Δt at the start [-]
 constexpr double flip = 0.98;
 } // namespace bench_block
 
-const std::vector<std::string>& step_orders(); ///< musl, usl, usf
+const std::vector<std::string>& step_orders();    ///< musl, usl, usf
+const std::vector<std::string>& stencil_memory(); ///< auto, kept, blocks
 
 /// Cells of the block along each axis: nearly a square (cube), with as many points as wished for, or nearly.
 template <int Dim>

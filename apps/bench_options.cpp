@@ -24,6 +24,7 @@ const Options& choices() {
       {"length", "A,B", "l_c in m, or with a unit: 1.5mm; 0 is local; default: 0"},
       {"averager", "A,B", "default: gauss"},
       {"search", "A,B", "for neighbours; default: cgal_kd_tree"},
+      {"stencils", "A,B", "kept for a step, evaluated in blocks, or auto; default: auto"},
       {"threads", "N,M", "default: 1"},
   };
   return all;
@@ -138,6 +139,7 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
   all = vary(all, &BenchCase::order, names(arguments, "order", otherwise.order, step_orders()));
   all = vary(all, &BenchCase::points, integers(arguments, "points", {"2e3", "1e4", "1e5", "1e6"}, 1, 100'000'000));
   all = vary(all, &BenchCase::scheme, names(arguments, "scheme", otherwise.scheme, catalogue.in_2d.schemes.names()));
+  all = vary(all, &BenchCase::stencils, names(arguments, "stencils", otherwise.stencils, stencil_memory()));
   all = vary(all, &BenchCase::threads, integers(arguments, "threads", {"1"}, 1, 1024));
 
   std::erase_if(all, [&](const BenchCase& c) {

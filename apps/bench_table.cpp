@@ -36,7 +36,7 @@ std::string length_text(const BenchResult& r) {
 constexpr std::size_t names = 4; ///< columns of a row's head that are no numbers
 const Row head_of_names{"scheme", "law", "order", "l_c [mm]", "dim", "points", "threads"};
 Row row_of_names(const BenchResult& r) {
-  return {r.of.scheme,
+  return {r.of.stencils == "auto" ? r.of.scheme : r.of.scheme + ", " + r.of.stencils,
           r.of.material,
           r.of.order,
           length_text(r),
@@ -147,6 +147,7 @@ nlohmann::ordered_json results_json(const std::vector<BenchResult>& results) {
                                {"phases", phases},
                                {"averager", r.of.averager},
                                {"search", r.of.search},
+                               {"stencils", r.of.stencils},
                                {"points_per_cell", power(r.of.per_cell, r.of.dimension)},
                                {"steps_per_repeat", r.steps},
                                {"substepped_share", r.substepped_share}};

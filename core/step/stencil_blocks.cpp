@@ -5,7 +5,7 @@
 namespace riedel {
 
 namespace {
-constexpr std::int64_t cache = 1 << 20; ///< that one core has to itself on today's machines [bytes]
+constexpr std::int64_t cache = 1 << 20; ///< that a core has to itself on today's machines [bytes]
 
 template <int Dim>
 bool fit_into_cache(Index points, int max_nodes) {

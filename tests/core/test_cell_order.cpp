@@ -144,6 +144,24 @@ TEST(CellOrder, ChangesNothingWhenPointsAreSortedAlready) {
   EXPECT_EQ(s.points.id, ids);
 }
 
+TEST(CellOrder, CountsPointsThatStandBehindALaterCell) {
+  Shuffled<2> s(600);
+  EXPECT_GT(out_of_order(s.grid, s.points, s.space), 200) << "points thrown anywhere";
+  sort_by_cell(s.grid, 8, s.points, s.slabs, s.space);
+  EXPECT_EQ(out_of_order(s.grid, s.points, s.space), 0);
+  s.points.position[1][300] = s.grid.origin[1]; // one point falls into the first row
+  EXPECT_EQ(out_of_order(s.grid, s.points, s.space), 1);
+}
+
+TEST(CellOrder, LetsSlabsOfOneParityTouchNoCommonRow) {
+  Slabs slabs{.rows = 8, .begin = {}};
+  for (Index s = 0; s < 5; ++s) {
+    EXPECT_EQ(slabs.node_rows(s).end, slabs.node_rows(s + 2).begin) << "all rows are somebody's";
+    EXPECT_LT(slabs.node_rows(s).begin, s * 8) << "room for a support that reaches down";
+    EXPECT_GT(slabs.node_rows(s).end, (s + 1) * 8 + 1) << "and up, beyond the upper nodes of the last row";
+  }
+}
+
 TEST(CellOrder, LosesNoPointThatLiesOffTheGridOrNowhere) {
   Shuffled<2> s(40);
   s.points.position[0][3] = 1e9;

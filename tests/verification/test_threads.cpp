@@ -50,9 +50,36 @@ Values lively(const std::vector<std::string>& more) {
 TEST(Threads, ChangeNoBitOfTheBiaxialTestWithEitherSearch) {
   const std::vector<double> alone = after_steps(lively({"nonlocal.search=cgal_kd_tree"}), 1, 300);
   for (const std::string& search : catalogue().in_2d.searches.names())
-    for (const int threads : {1, 2, 4})
+    for (const int threads : {1, 2, 3, 4})
       EXPECT_TRUE(same_bits(after_steps(lively({"nonlocal.search=" + search}), threads, 300), alone))
           << search << ", " << threads << " threads";
+}
+
+TEST(Threads, ChangeNoBitOfTheBiaxialTestWithAnyAverager) {
+  for (const std::string& averager : catalogue().in_2d.averagers.names()) {
+    const Values values = lively({"nonlocal.averager=" + averager});
+    const std::vector<double> alone = after_steps(values, 1, 100);
+    for (const int threads : {2, 3}) EXPECT_TRUE(same_bits(after_steps(values, threads, 100), alone)) << averager;
+  }
+}
+
+/// Block by block in every sweep, or once for the whole step.
+TEST(Stencils, GiveTheSameBitsKeptAsInBlocks) {
+  for (const std::string& name : scheme_names()) {
+    std::array<std::vector<double>, 2> ends;
+    for (const bool keep : {false, true}) {
+      State<2> state = elastic_state<2>({6, 20}, 0.1, 2, 6, [](const Vec<2>&) { return true; });
+      Points<2>& points = state.bodies[0].points;
+      for (Index p = 0; p < points.size(); ++p) points.velocity[1][p] = std::sin(9.0 * points.position[0][p]);
+      Model<2> model = model_with<2>(name);
+      model.keep_stencils = keep;
+      Simulation<2> simulation(std::move(model), std::move(state));
+      for (int i = 0; i < 40; ++i) simulation.step();
+      EXPECT_EQ(simulation.state().bodies[0].stencils.keeps(), keep);
+      ends[keep] = everything(simulation);
+    }
+    EXPECT_TRUE(same_bits(ends[0], ends[1])) << name;
+  }
 }
 
 TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
