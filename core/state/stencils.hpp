@@ -4,6 +4,8 @@
 #include "core/base/columns.hpp"
 #include "core/base/pack.hpp"
 
+#include <cstring>
+
 namespace riedel {
 
 /// The entries of eight stencils, one stencil per lane: entry a of lane k stands at a·8 + k. Copied by value into
@@ -18,7 +20,11 @@ struct StencilEntries {
   void set_slope(int entry, int axis, const Pack& dN) const { dN.store(slope + (entry * Dim + axis) * pack_size); }
   /// Node numbers of an entry: each lane's base and a common offset.
   void set_nodes(int entry, const std::array<Index, pack_size>& base, Index offset) const {
-    for (int k = 0; k < pack_size; ++k) node[entry * pack_size + k] = base[k] + offset;
+    typedef Index Lanes __attribute__((vector_size(pack_size * sizeof(Index)))); // g++ leaves a plain loop to scalars
+    Lanes lanes;
+    std::memcpy(&lanes, base.data(), sizeof(lanes));
+    lanes += offset;
+    std::memcpy(node + entry * pack_size, &lanes, sizeof(lanes));
   }
   [[nodiscard]] Index node_of(int entry, Index lane) const { return node[entry * pack_size + lane]; }
   [[nodiscard]] double value_of(int entry, Index lane) const { return value[entry * pack_size + lane]; }

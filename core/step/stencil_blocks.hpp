@@ -17,7 +17,7 @@ constexpr Index stencil_block = 32;
 template <int Dim>
 class StencilBlocks {
 public:
-  /// @param points to make room for   @param keep whether to keep all; empty: if they fit into a core's cache
+  /// @param points to make room for   @param keep whether to keep all; empty: if they take little room
   void resize(Index points, int max_nodes, std::optional<bool> keep);
   [[nodiscard]] bool keeps() const { return keeps_; }
 
