@@ -24,6 +24,13 @@ void parallel_for(Index count, const Body& body) {
   for (Index i = 0; i < count; ++i) body(i);
 }
 
+/// The same for bodies that take unequal times: a thread that is free takes the next one.
+template <class Body>
+void parallel_for_unequal(Index count, const Body& body) {
+#pragma omp parallel for schedule(dynamic) if (count > 1)
+  for (Index i = 0; i < count; ++i) body(i);
+}
+
 /// Calls `body(range)` for every block of `points` points.
 template <class Body>
 void for_each_block(Index points, const Body& body) {

@@ -48,7 +48,7 @@ bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& bo
   };
   body.slab_strays.resize(static_cast<std::size_t>(body.slabs.count()));
   for (Index parity = 0; parity < 2; ++parity)
-    parallel_for((body.slabs.count() - parity + 1) / 2, [&](Index s) { add_slab(2 * s + parity); });
+    parallel_for_unequal((body.slabs.count() - parity + 1) / 2, [&](Index s) { add_slab(2 * s + parity); });
   return std::count(body.slab_strays.begin(), body.slab_strays.end(), 0) == body.slabs.count();
 }
 
