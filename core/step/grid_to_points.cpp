@@ -7,22 +7,29 @@ namespace riedel {
 
 namespace {
 
-/// Calls `use(stencil, points, p)` for every eight points of all bodies.
-template <int Dim, class Use>
+/// Calls `use(sum, body, p)` for every eight points of all bodies, with what they gather from the grid.
+template <Gather what, int Dim, class Use>
 void for_each_group(State<Dim>& state, const Model<Dim>& model, const Use& use) {
   for (Body<Dim>& body : state.bodies)
     for_each_block(body.points.size(), [&](Range whole) {
+      Gathered<Dim> sum;
       for (Index b = whole.begin; b < whole.end; b += stencil_block) {
         const Range block{b, std::min(b + stencil_block, whole.end)};
         const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
-        for (Index p = b; p < block.end; p += pack_size) use(stencils.group_of(p), body, p);
+        for (Index p = b; p < block.end; p += pack_size) {
+          gather<what>(stencils.group_of(p), state.nodes, sum);
+          use(sum, body, p);
+        }
       }
     });
 }
 
+/// New velocities and positions.
 template <int Dim>
-void set_velocity(Points<Dim>& points, Index p, const NewMotion<Dim>& motion) {
+void move(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double flip, double dt) {
+  const NewMotion<Dim> motion = new_motion(sum, points, p, flip, dt);
   for (int a = 0; a < Dim; ++a) motion.velocity[a].store(points.velocity[a] + p);
+  move(points, p, motion.way);
 }
 
 /// The lanes of a group that belong to its slab; the others are another thread's.
@@ -38,34 +45,23 @@ void store_lanes(double* column, const Pack& values, Range lanes) {
 template <int Dim>
 void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    Gathered<Dim> sum;
-    gather<Gather::values>(stencil, state.nodes, sum);
-    const NewMotion<Dim> motion = new_motion(sum, body.points, p, model.flip, dt);
-    set_velocity(body.points, p, motion);
-    move(body.points, p, motion.way);
+  for_each_group<Gather::values>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+    move(sum, body.points, p, model.flip, dt);
   });
 }
 
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    Gathered<Dim> sum;
-    gather<Gather::slopes>(stencil, state.nodes, sum);
-    deform(sum, body.points, p, dt);
-  });
+  for_each_group<Gather::slopes>(
+      state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) { deform(sum, body.points, p, dt); });
 }
 
 template <int Dim>
 void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    Gathered<Dim> sum;
-    gather<Gather::both>(stencil, state.nodes, sum);
-    const NewMotion<Dim> motion = new_motion(sum, body.points, p, model.flip, dt);
-    set_velocity(body.points, p, motion);
-    move(body.points, p, motion.way);
+  for_each_group<Gather::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+    move(sum, body.points, p, model.flip, dt);
     deform(sum, body.points, p, dt);
   });
 }
@@ -96,9 +92,7 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_group(state, model, [&](const StencilGroup<Dim>& stencil, Body<Dim>& body, Index p) {
-    Gathered<Dim> sum;
-    gather<Gather::slopes>(stencil, state.nodes, sum);
+  for_each_group<Gather::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     deform(sum, body.points, p, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
