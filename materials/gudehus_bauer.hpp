@@ -53,10 +53,10 @@ private:
 template <class Real>
 auto GudehusBauer::factors(Real P, Real e) const -> Factors<Real> {
   const Real log_pressure = log(Real(per_h_s_) * P);
-  const Real grow = exp(exp(Real(n_) * log_pressure)), e_bar = e * grow; // (A10): e_i0/e_i = e_d0/e_d = e_c0/e_c = grow
+  const Real x = exp(Real(n_) * log_pressure), grow = exp(x), e_bar = e * grow; // (A10): grow = e_i0/e_i = e_d0/e_d = …
   const Real one_plus_e_i_over_e_i = Real(1.0) + Real(per_e_i0_) * grow;
   const Real f_s = Real(f_s0_) * one_plus_e_i_over_e_i * // (A8), (e_i/e)^β (P/h_s)^{1−n} as one power
-                   exp(Real(1.0 - n_) * log_pressure - Real(beta_) * log(Real(per_e_i0_) * e_bar));
+                   exp(Real(1.0 - n_) * log_pressure - Real(beta_) * (log(Real(per_e_i0_) * e) + x));
   const Real f_d = pow(max(Real(0.0), Real(per_e_range_) * (e_bar - Real(e_d0_))), Real(alpha_)); // (A8)
   return {.f_s = f_s, .f_d = f_d, .e_bar = e_bar};
 }

@@ -55,7 +55,7 @@ struct Reach {
 /// Weights of eight points, corner by corner: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1,
 /// …) tells the corner; for a parallelogram these are eqs. (18) and (20) of the paper.
 template <int Dim>
-void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, StencilEntries<Dim> entries,
+void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, const StencilEntries<Dim>& entries,
                 Reach& reach) {
   constexpr int corners = power(2, Dim);
   PackVector<Dim> x = domains.centre, weight_of_slope;
@@ -82,19 +82,23 @@ void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, 
   reach.lowest = min(reach.lowest, row);
   reach.highest = max(reach.highest, row + Pack(1.0));
 
-  const std::array<Index, pack_size> first = whole_numbers(base);
+  entries.set_base(corner, whole_numbers(base));
   for (int n = 0; n < corners; ++n) {
     const int entry = corner * corners + n;
     Pack N(1.0);
-    Index offset = 0;
-    for (int a = 0; a < Dim; ++a) {
-      N *= (n >> a) & 1 ? xi[a] : Pack(1.0) - xi[a];
-      if ((n >> a) & 1) offset += strides[a];
-    }
+    for (int a = 0; a < Dim; ++a) N *= (n >> a) & 1 ? xi[a] : Pack(1.0) - xi[a];
     entries.set_value(entry, N * Pack(1.0 / corners));
     for (int a = 0; a < Dim; ++a) entries.set_slope(entry, a, N * weight_of_slope[a]);
-    entries.set_nodes(entry, first, offset);
   }
+}
+
+/// The nodes of a corner's cell are a patch.
+template <int Dim>
+void set_patches(const Grid<Dim>& grid, StencilGroup<Dim>& group) {
+  const Counts<Dim> strides = grid.strides();
+  group.count = power(4, Dim);
+  group.shape = {power(2, Dim - 1), 2};
+  for (int r = 0; r < group.shape.rows; ++r) group.row[r] = (r & 1) * strides[1] + (r >> 1) * strides[Dim - 1];
 }
 
 } // namespace
@@ -103,7 +107,7 @@ template <int Dim>
 void Cpdi<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const {
   for (Index p = block.begin; p < block.end; p += pack_size) {
     StencilGroup<Dim>& group = stencils.group_of(p);
-    group.count = power(4, Dim);
+    set_patches(grid, group);
     const Domains<Dim> domains = domains_of(points, p);
     Reach reach{.lowest = Pack(grid.nodes[Dim - 1]), .highest = Pack(0.0), .inside = Pack(0.0) <= Pack(0.0)};
     for (int corner = 0; corner < power(2, Dim); ++corner) add_corner<Dim>(grid, domains, corner, group, reach);

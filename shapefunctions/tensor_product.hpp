@@ -31,22 +31,37 @@ std::array<ValueSlope<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis
   return factor;
 }
 
+/// Numbers of the product's nodes, the first axis fastest: two or three rows to a patch, in space with two nodes four.
+/// @param base of the first node in each lane
+template <int Nodes, int Dim>
+void set_nodes(const Counts<Dim>& strides, const std::array<Index, pack_size>& base, StencilGroup<Dim>& group) {
+  constexpr int all = power(Nodes, Dim - 1), rows = Nodes == 3 ? 3 : Nodes == 2 ? all : 2;
+  const auto offset = [&](int row) {
+    return row % Nodes * strides[1] + (Dim == 3 ? row / Nodes * strides[Dim - 1] : 0);
+  };
+  group.count = power(Nodes, Dim);
+  group.shape = {rows, Nodes};
+  for (int r = 0; r < rows; ++r) group.row[r] = offset(r);
+  for (int n = 0; n < all / rows; ++n) {
+    std::array<Index, pack_size> lane;
+    for (int k = 0; k < pack_size; ++k) lane[k] = base[k] + offset(n * rows);
+    group.set_base(n, lane);
+  }
+}
+
 /// Weights of the product's nodes, the first axis fastest.
 template <int Nodes>
-void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 2>& factor, const Counts<2>& strides,
-                   StencilEntries<2> entries, const std::array<Index, pack_size>& base) {
+void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 2>& factor, StencilEntries<2> entries) {
   const auto& [x, y] = factor;
   for (int j = 0, entry = 0; j < Nodes; ++j)
     for (int i = 0; i < Nodes; ++i, ++entry) {
       entries.set_value(entry, x[i].value * y[j].value);
       entries.set_slope(entry, 0, x[i].slope * y[j].value);
       entries.set_slope(entry, 1, x[i].value * y[j].slope);
-      entries.set_nodes(entry, base, i + j * strides[1]);
     }
 }
 template <int Nodes>
-void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 3>& factor, const Counts<3>& strides,
-                   StencilEntries<3> entries, const std::array<Index, pack_size>& base) {
+void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 3>& factor, StencilEntries<3> entries) {
   const auto& [x, y, z] = factor;
   for (int k = 0, entry = 0; k < Nodes; ++k)
     for (int j = 0; j < Nodes; ++j) {
@@ -56,7 +71,6 @@ void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 3>& fac
         entries.set_slope(entry, 0, x[i].slope * yz);
         entries.set_slope(entry, 1, x[i].value * dyz);
         entries.set_slope(entry, 2, x[i].value * ydz);
-        entries.set_nodes(entry, base, i + j * strides[1] + k * strides[2]);
       }
     }
 }
@@ -89,8 +103,8 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
     const Pack least = axis.l * axis.per_h;
     factor[a] = function(max(least, min(place - lowest, least + Pack(1.0 - 0x1p-53))), axis);
   }
-  fill_products<Nodes>(factor, strides, group, whole_numbers(base));
-  group.count = power(Nodes, Dim);
+  fill_products<Nodes>(factor, group);
+  set_nodes<Nodes, Dim>(strides, whole_numbers(base), group);
   group.lowest = whole_numbers(row);
   for (int k = 0; k < pack_size; ++k) group.highest[k] = group.lowest[k] + Nodes - 1;
   group.keep_lanes(inside);

@@ -44,6 +44,11 @@ struct MaterialReport {
 struct Survey {
   double wave_speed = 0.0;        ///< greatest speed of a compression wave [m/s]
   std::int64_t out_of_bounds = 0; ///< points whose state the law does not admit (a void ratio below e_d, say)
+
+  void add(const Survey& other) {
+    wave_speed = std::max(wave_speed, other.wave_speed);
+    out_of_bounds += other.out_of_bounds;
+  }
 };
 
 class Material {

@@ -2,32 +2,37 @@
 #pragma once
 
 #include "core/base/columns.hpp"
-#include "core/base/quad.hpp"
+#include "core/base/few.hpp"
 
 namespace riedel {
 
-/// What the points add up at a node: one cache line, and one pack.
+/// Room for a vector in a node's records: a number of doubles that processors load at once.
+template <int Dim>
+using VectorLanes = Few<Dim == 2 ? 2 : 4>;
+
+/// What the points add up at a node: one cache line.
 template <int Dim>
 struct alignas(64) NodeSums {
-  Vec<Dim> momentum = Vec<Dim>::Zero(); ///< (mv)_i
-  Vec<Dim> force = Vec<Dim>::Zero();    ///< f_i, external and internal [N or N/m]
-  double mass = 0.0;                    ///< m_i [kg, or kg/m in plane strain]
-  std::array<double, 7 - 2 * Dim> padding{};
+  Vec<Dim> momentum = Vec<Dim>::Zero();          ///< (mv)_i
+  double mass = 0.0;                             ///< m_i [kg, or kg/m in plane strain]
+  alignas(32) Vec<Dim> force = Vec<Dim>::Zero(); ///< f_i of stresses and surface loads [N or N/m]
 
-  static constexpr int momentum_at = 0, force_at = Dim, mass_at = 2 * Dim; ///< places in the pack
-  void add(const Pack& share) { (Pack::load(momentum.data()) + share).store(momentum.data()); }
+  using MassRecord = Few<4>; ///< momentum, then mass
+  using ForceRecord = VectorLanes<Dim>;
+  static constexpr int mass_at = Dim; ///< place in the first record
 };
 static_assert(sizeof(NodeSums<2>) == 64 && sizeof(NodeSums<3>) == 64);
 
-/// What a node tells the points: velocity, then acceleration, in a record of four doubles (eight in three dimensions).
+/// What a node tells the points, in a record of four doubles (eight in three dimensions).
 template <int Dim>
 struct alignas(Dim == 2 ? 32 : 64) NodeMotion {
-  Vec<Dim> velocity = Vec<Dim>::Zero();     ///< v_i [m/s]
-  Vec<Dim> acceleration = Vec<Dim>::Zero(); ///< (v_i − v_i before the step)/Δt, boundary conditions included [m/s²]
+  Vec<Dim> velocity = Vec<Dim>::Zero(); ///< v_i [m/s]
+  /// (v_i − v_i before the step)/Δt, boundary conditions included [m/s²]
+  alignas(sizeof(VectorLanes<Dim>)) Vec<Dim> acceleration = Vec<Dim>::Zero();
 
-  using Record = std::conditional_t<Dim == 2, Quad, Pack>;
-  [[nodiscard]] Record record() const { return Record::load(velocity.data()); }
+  using Record = Few<Dim == 2 ? 4 : 8>;
 };
+static_assert(sizeof(NodeMotion<2>) == 32 && sizeof(NodeMotion<3>) == 64);
 
 template <int Dim>
 struct Nodes {

@@ -4,45 +4,56 @@
 #include "core/base/columns.hpp"
 #include "core/base/pack.hpp"
 
-#include <cstring>
-
 namespace riedel {
 
-/// The entries of eight stencils, one stencil per lane: entry a of lane k stands at a·8 + k. Copied by value into
-/// loops, so that the compiler knows that the pointers stay what they are.
+/// Nodes that are found from one base: rows of neighbours along the first axis.
+struct PatchShape {
+  int rows, length;
+  [[nodiscard]] constexpr int entries() const { return rows * length; }
+  constexpr bool operator==(const PatchShape&) const = default;
+};
+
+/// The shapes that the transfers know; entry by entry, the last one, will always do.
+constexpr std::array<PatchShape, 5> patch_shapes{{{3, 3}, {2, 2}, {2, 4}, {4, 2}, {1, 1}}};
+constexpr int most_rows = 4;
+
+/// The entries of eight stencils, one stencil per lane: entry a of lane k stands at a·8 + k. Entries come in patches,
+/// all of one shape, whose rows lie in every lane at the same offsets from a base of that lane. A patch holds no node
+/// twice. Copied by value into loops, so that the compiler knows that nobody changes it meanwhile.
 template <int Dim>
 struct StencilEntries {
-  Index* node = nullptr;   ///< [count][8]
-  double* value = nullptr; ///< N_ip [-], [count][8]
-  double* slope = nullptr; ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+  Index* base = nullptr;              ///< nodes, [patches][8]
+  double* value = nullptr;            ///< N_ip [-], [count][8]
+  double* slope = nullptr;            ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+  int count = 0;                      ///< entries in use
+  PatchShape shape{1, 1};             ///< of all patches, one of `patch_shapes`
+  std::array<Index, most_rows> row{}; ///< offsets of the rows from the base
 
+  void set_base(int patch, const std::array<Index, pack_size>& nodes) const {
+    std::copy(nodes.begin(), nodes.end(), base + patch * pack_size);
+  }
   void set_value(int entry, const Pack& N) const { N.store(value + entry * pack_size); }
   void set_slope(int entry, int axis, const Pack& dN) const { dN.store(slope + (entry * Dim + axis) * pack_size); }
-  /// Node numbers of an entry: each lane's base and a common offset.
-  void set_nodes(int entry, const std::array<Index, pack_size>& base, Index offset) const {
-    typedef Index Lanes __attribute__((vector_size(pack_size * sizeof(Index)))); // g++ leaves a plain loop to scalars
-    Lanes lanes;
-    std::memcpy(&lanes, base.data(), sizeof(lanes));
-    lanes += offset;
-    std::memcpy(node + entry * pack_size, &lanes, sizeof(lanes));
+
+  [[nodiscard]] Index node_of(int entry, Index lane) const {
+    const int patch = entry / shape.entries(), r = entry / shape.length % shape.rows;
+    return base[patch * pack_size + lane] + row[r] + entry % shape.length;
   }
-  [[nodiscard]] Index node_of(int entry, Index lane) const { return node[entry * pack_size + lane]; }
   [[nodiscard]] double value_of(int entry, Index lane) const { return value[entry * pack_size + lane]; }
   [[nodiscard]] double slope_of(int entry, int axis, Index lane) const {
     return slope[(entry * Dim + axis) * pack_size + lane];
   }
 };
 
-/// The stencils of eight consecutive points; a node may appear in more than one entry of a point.
+/// The stencils of eight consecutive points; a node may appear in more than one patch of a point.
 template <int Dim>
 struct StencilGroup : StencilEntries<Dim> {
-  int count = 0;                         ///< entries in use
   std::array<Index, pack_size> lowest{}; ///< least and greatest index along the last axis of the nodes in each lane
   std::array<Index, pack_size> highest{};
   std::array<bool, pack_size> lost{}; ///< this lane's support leaves the grid; its weights are zero
 
   /// Marks the lanes that are not in `inside` as lost and zeroes their weights, so that these may be used without a
-  /// look at the flags.
+  /// look at the flags. Bases must be such that all nodes are on the grid.
   void keep_lanes(const Mask& inside) {
     lost.fill(false);
     if (all(inside)) return;
@@ -50,8 +61,8 @@ struct StencilGroup : StencilEntries<Dim> {
     for (int k = 0; k < pack_size; ++k) {
       lost[k] = !kept[k];
       if (kept[k]) continue;
-      for (int i = k; i < count * pack_size; i += pack_size) this->node[i] = 0, this->value[i] = 0;
-      for (int i = k; i < count * Dim * pack_size; i += pack_size) this->slope[i] = 0;
+      for (int i = k; i < this->count * pack_size; i += pack_size) this->value[i] = 0;
+      for (int i = k; i < this->count * Dim * pack_size; i += pack_size) this->slope[i] = 0;
     }
   }
 };
@@ -63,13 +74,13 @@ public:
   void resize(Index points, int max_nodes) {
     const std::size_t groups = static_cast<std::size_t>((points + pack_size - 1) / pack_size);
     const std::size_t entries = groups * static_cast<std::size_t>(max_nodes * pack_size);
-    node_.assign(entries, 0);
+    base_.assign(entries, 0);
     value_.assign(entries, 0.0);
     slope_.assign(entries * Dim, 0.0);
     groups_.assign(groups, {});
     for (std::size_t g = 0; g < groups; ++g) {
       const std::size_t at = g * static_cast<std::size_t>(max_nodes * pack_size);
-      groups_[g].node = node_.data() + at;
+      groups_[g].base = base_.data() + at;
       groups_[g].value = value_.data() + at;
       groups_[g].slope = slope_.data() + at * Dim;
     }
@@ -87,7 +98,7 @@ public:
 private:
   Index first_ = 0; ///< groups before the one that is kept first
   std::vector<StencilGroup<Dim>> groups_;
-  AlignedVector<Index> node_;
+  AlignedVector<Index> base_;
   AlignedVector<double> value_, slope_;
 };
 

@@ -53,8 +53,8 @@ void find_rigid_nodes(State<Dim>& state, const ShapeFunction<Dim>& scheme) {
     for (Index p = 0; p < body.points.size(); ++p) {
       const StencilGroup<Dim>& group = body.stencils.group_of(p);
       if (group.lost[p % pack_size]) throw RunError("rigid body '" + body.name + "' leaves the grid");
-      for (int at = p % pack_size; at < group.count * pack_size; at += pack_size)
-        if (group.value[at] > 0.0) nodes.push_back(group.node[at]);
+      for (int entry = 0; entry < group.count; ++entry)
+        if (group.value_of(entry, p % pack_size) > 0.0) nodes.push_back(group.node_of(entry, p % pack_size));
       if (nodes.size() + static_cast<std::size_t>(group.count) > nodes.capacity()) drop_repeated(nodes);
     }
     drop_repeated(nodes);

@@ -1,15 +1,16 @@
 #include "core/step/grid_to_points.hpp"
 
 #include "core/step/point_motion.hpp"
+#include "core/step/scatter.hpp"
 #include "core/step/transfer.hpp"
 
 namespace riedel {
 
 namespace {
 
-/// Calls `use(sum, body, p)` for every eight points of all bodies, with what they gather from the grid.
-template <Gather what, int Dim, class Use>
-void for_each_group(State<Dim>& state, const Model<Dim>& model, const Use& use) {
+/// Calls `take(sum, body, p)` for every eight points of all bodies, with what they gather from the grid.
+template <Use use, int Dim, class Take>
+void for_each_group(State<Dim>& state, const Model<Dim>& model, const Take& take) {
   for (Body<Dim>& body : state.bodies)
     for_each_block(body.points.size(), [&](Range whole) {
       Gathered<Dim> sum;
@@ -17,8 +18,8 @@ void for_each_group(State<Dim>& state, const Model<Dim>& model, const Use& use) 
         const Range block{b, std::min(b + stencil_block, whole.end)};
         const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
         for (Index p = b; p < block.end; p += pack_size) {
-          gather<what>(stencils.group_of(p), state.nodes, sum);
-          use(sum, body, p);
+          gather<use>(stencils.group_of(p), state.nodes, sum);
+          take(sum, body, p);
         }
       }
     });
@@ -45,7 +46,7 @@ void store_lanes(double* column, const Pack& values, Range lanes) {
 template <int Dim>
 void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  for_each_group<Gather::values>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+  for_each_group<Use::values>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     move(sum, body.points, p, model.flip, dt);
   });
 }
@@ -53,14 +54,14 @@ void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_group<Gather::slopes>(
+  for_each_group<Use::slopes>(
       state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) { deform(sum, body.points, p, dt); });
 }
 
 template <int Dim>
 void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  for_each_group<Gather::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+  for_each_group<Use::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     move(sum, body.points, p, model.flip, dt);
     deform(sum, body.points, p, dt);
   });
@@ -72,18 +73,21 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
     const PhaseClock::Lap lap(state.clock, Phase::g2p);
     parallel_for(state.nodes.size(), [&](Index i) { state.nodes.sums[i].momentum.setZero(); });
     for (Body<Dim>& body : state.bodies)
-      add_in_slab_order<Momenta<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Momenta<Dim>& momenta) {
+      add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
         Points<Dim>& points = body.points;
         Gathered<Dim> sum;
-        gather<Gather::values>(group.stencil, state.nodes, sum);
+        gather<Use::values>(group.stencil, state.nodes, sum);
         const NewMotion<Dim> motion = new_motion(sum, points, group.first, model.flip, dt);
         const Pack m = Pack::load(points.mass[0] + group.first);
+        std::array<Pack, 4> momenta; // without mass, which the nodes have already
+        momenta.fill(Pack(0.0));
         for (int a = 0; a < Dim; ++a) {
           store_lanes(points.velocity[a] + group.first, motion.velocity[a], group.lanes);
           store_lanes(body.way[a] + group.first, motion.way[a], group.lanes);
-          momenta.put(a, m * motion.velocity[a]);
+          momenta[a] = m * motion.velocity[a];
         }
-        scatter_momenta(group, momenta, state.nodes);
+        shares.mass.put(momenta);
+        scatter<Use::values>(group, shares, state.nodes);
       });
   }
   divide_momentum(state);
@@ -92,7 +96,7 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_group<Gather::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+  for_each_group<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     deform(sum, body.points, p, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);

@@ -9,10 +9,10 @@ namespace riedel {
 template <int Dim>
 void musl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   const double end = state.time + dt;
-  points_to_grid(state, model);     // m_i, (mv)_i, f_i = Σ_p N_ip m_p b − Σ_p V_p (σ_p + p I) ∇N_ip
-  advance_momentum(state, dt);      // v_i = ((mv)_i + f_i Δt)/m_i
-  hold_nodes(state, end, dt);       // boundaries, reactions
-  remap_velocity(state, model, dt); // v_p, then v_i = Σ_p N_ip m_p v_p / m_i
+  points_to_grid(state, model);       // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
+  advance_momentum(state, model, dt); // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
+  hold_nodes(state, end, dt);         // boundaries, reactions
+  remap_velocity(state, model, dt);   // v_p, then v_i = Σ_p N_ip m_p v_p / m_i
   hold_velocities(state, end);
   deform_and_move(state, model, dt); // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p, x_p
   update_stress(state, dt);          // d*, rotation, law

@@ -2,7 +2,8 @@
 /// no harm.
 #pragma once
 
-#include "core/step/scatter.hpp"
+#include "core/state/points.hpp"
+#include "core/step/gather.hpp"
 
 namespace riedel {
 
@@ -20,8 +21,9 @@ struct NewMotion {
 template <int Dim>
 NewMotion<Dim> new_motion(const Gathered<Dim>& sum, const Points<Dim>& points, Index p, double flip, double dt) {
   NewMotion<Dim> motion;
+  const std::array<Pack, 4> first = sum.motion.front().columns(), second = sum.motion.back().columns();
   for (int i = 0; i < Dim; ++i) {
-    const Pack v = sum.values.column(i), a = sum.values.column(Dim + i);
+    const Pack v = first[i], a = second[Dim == 2 ? 2 + i : i]; // in the plane one row holds both
     motion.velocity[i] = Pack(flip) * (Pack::load(points.velocity[i] + p) + Pack(dt) * a) + Pack(1.0 - flip) * v;
     motion.way[i] = Pack(dt) * v;
   }
@@ -44,9 +46,10 @@ inline Pack determinant(const PackMatrix<3>& a) {
 template <int Dim>
 void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double dt) {
   PackMatrix<Dim> L, old, F;
+  const PackMatrix<Dim> gradient = sum.gradient.vectors();
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
-      L[i][j] = sum.slopes[j].column(i);
+      L[i][j] = gradient[j][i];
       L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
       old[i][j] = Pack::load(points.deformation_gradient[i * Dim + j] + p);
     }

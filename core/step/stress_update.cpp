@@ -3,100 +3,140 @@
 #include "core/base/parallel.hpp"
 #include "core/step/rotation.hpp"
 
+#include <numbers>
 #include <numeric>
 
 namespace riedel {
 
 namespace {
 
-/// One block's columns as a law sees them; lives on the stack.
+constexpr Index law_block = 64; ///< points handed to a law at once: their columns stay in the nearest cache
+static_assert(block_size % law_block == 0);
+
+/// W_32, W_13, W_21 of eight points, in the plane W_12 alone [1/s].
 template <int Dim>
-struct Block {
-  const Range range;
-  std::array<std::array<double, block_size>, 6> D;
-  std::array<double*, most_state_columns> state{};
-  MaterialBatch batch;
+auto spin_of(const Columns& L, Index p) {
+  const auto w = [&](int i, int j) {
+    return Pack(0.5) * (Pack::load(L[i * Dim + j] + p) - Pack::load(L[j * Dim + i] + p));
+  };
+  if constexpr (Dim == 2)
+    return w(0, 1);
+  else
+    return std::array<Pack, 3>{w(2, 1), w(0, 2), w(1, 0)};
+}
 
-  Block(Points<Dim>& points, Range r, double dt) : range(r) {
-    batch.size = r.size();
-    batch.time_step = dt;
-    for (int c = 0; c < 6; ++c) {
-      batch.stress[c] = points.stress[c] + r.begin;
-      batch.rate[c] = D[c].data();
-    }
-    for (int s = 0; s < points.state.components(); ++s) state[s] = points.state[s] + r.begin;
-    batch.state = {state.data(), static_cast<std::size_t>(points.state.components())};
+/// Q a Qᵀ of the step, in place.
+inline void rotate(Sym<Pack>& a, const Pack& spin, double dt) { rotate_in_plane(a, spin, dt); }
+inline void rotate(Sym<Pack>& a, const std::array<Pack, 3>& spin, double dt) { rotate_in_space(a, spin, dt); }
+
+/// Mandel components that a motion in Dim dimensions touches: in the plane 11, 22 and 12.
+template <int Dim>
+constexpr auto components_of_motion = [] {
+  if constexpr (Dim == 2)
+    return std::array{0, 1, 3};
+  else
+    return std::array{0, 1, 2, 3, 4, 5};
+}();
+
+/// A few points' columns as a law sees them; lives on the stack. Columns are padded to whole packs.
+template <int Dim>
+class LawBlock {
+public:
+  LawBlock(Points<Dim>& points, double dt) : points_(points) {
+    batch_.time_step = dt;
+    for (int c = 0; c < 6; ++c) batch_.rate[c] = D_[c].data();
   }
+  const MaterialBatch& batch() const { return batch_; }
 
-  void fill_rate(const Points<Dim>& points) {
-    const auto L = [&](int i, int j, Index p) { return Pack::load(points.velocity_gradient[i * Dim + j] + p); };
-    for (Index p = range.begin, i = 0; p < range.end; p += pack_size, i += pack_size) {
-      Sym<Pack> d = Sym<Pack>::zero();
-      for (int a = 0; a < Dim; ++a) {
-        d.m[a] = L(a, a, p);
-        for (int b = 0; b < a; ++b) d.m[a + b + 2] = Pack(std::numbers::sqrt2 / 2) * (L(a, b, p) + L(b, a, p));
-      }
-      for (int c = 0; c < 6; ++c) d.m[c].store(D[c].data() + i);
-    }
+  void move_to(Range range) {
+    range_ = range;
+    batch_.size = range.size();
+    for (int c = 0; c < 6; ++c) batch_.stress[c] = points_.stress[c] + range.begin;
+    for (int s = 0; s < points_.state.components(); ++s) state_[s] = points_.state[s] + range.begin;
+    batch_.state = {state_.data(), static_cast<std::size_t>(points_.state.components())};
   }
+  void take_average(const double* averaged) { batch_.averaged = averaged ? averaged + range_.begin : nullptr; }
 
-  /// Σ V σ:D with the stress as it is now [W or W/m]
-  [[nodiscard]] double power(const Points<Dim>& points) const {
-    Pack sum(0.0); // columns are padded with points of no volume
-    for (Index p = range.begin, i = 0; p < range.end; p += pack_size, i += pack_size) {
+  /// Rotates the stress and fills the rates of deformation. @return Σ V σ:D of the rotated stress [W or W/m]
+  double rotate_and_fill_rates() {
+    const Columns& L = points_.velocity_gradient;
+    return sum_over_packs([&](Index p, Index i) {
+      Sym<Pack> stress = Sym<Pack>::zero();
+      for (const int c : components_of_motion<Dim>) stress.m[c] = Pack::load(points_.stress[c] + p);
+      rotate(stress, spin_of<Dim>(L, p), batch_.time_step);
       Pack density(0.0);
-      for (int c = 0; c < 6; ++c) density += Pack::load(batch.stress[c] + i) * Pack::load(D[c].data() + i);
-      sum += Pack::load(points.volume[0] + p) * density;
-    }
+      for (int a = 0; a < Dim; ++a)
+        for (int b = 0; b <= a; ++b) {
+          const int c = a == b ? a : a + b + 2;
+          const Pack d = a == b ? Pack::load(L[a * Dim + a] + p)
+                                : Pack(std::numbers::sqrt2 / 2) *
+                                      (Pack::load(L[a * Dim + b] + p) + Pack::load(L[b * Dim + a] + p));
+          d.store(D_[c].data() + i);
+          stress.m[c].store(points_.stress[c] + p);
+          density += stress.m[c] * d;
+        }
+      return Pack::load(points_.volume[0] + p) * density;
+    });
+  }
+  /// Σ V σ:D with the stress as it is now [W or W/m]
+  [[nodiscard]] double power() const {
+    return sum_over_packs([&](Index p, Index i) {
+      Pack density(0.0);
+      for (const int c : components_of_motion<Dim>)
+        density += Pack::load(points_.stress[c] + p) * Pack::load(D_[c].data() + i);
+      return Pack::load(points_.volume[0] + p) * density;
+    });
+  }
+
+private:
+  /// Σ of `part(p, i)`, p the first of eight points and i its place in the block; padded points have no volume.
+  template <class Part>
+  double sum_over_packs(const Part& part) const {
+    Pack sum(0.0);
+    for (Index p = range_.begin, i = 0; p < range_.end; p += pack_size, i += pack_size) sum += part(p, i);
     alignas(64) std::array<double, pack_size> lane;
     sum.store(lane.data());
     return std::accumulate(lane.begin(), lane.end(), 0.0);
   }
+
+  Points<Dim>& points_;
+  Range range_;
+  std::array<std::array<double, law_block>, 6> D_{}; ///< components that no motion in the plane has stay zero
+  std::array<double*, most_state_columns> state_{};
+  MaterialBatch batch_;
 };
 
-/// Calls rotate(columns of a symmetric tensor) for the stress and for each tensor among the state variables.
-template <int Dim, class Rotate>
-void for_each_tensor(Body<Dim>& body, const Rotate& rotate) {
-  const auto columns_from = [](Columns& field, int first) {
-    std::array<double*, 6> columns;
-    for (int c = 0; c < 6; ++c) columns[c] = field[first + c];
-    return columns;
-  };
-  rotate(columns_from(body.points.stress, 0));
+/// The tensors among the law's state variables turn with the material, too.
+template <int Dim>
+void rotate_state(Body<Dim>& body, Range range, double dt) {
   int column = 0;
   for (const StateVariable& variable : body.material->states()) {
-    if (variable.components == 6) rotate(columns_from(body.points.state, column));
+    for (Index p = range.begin; variable.components == 6 && p < range.end; p += pack_size) {
+      Sym<Pack> a;
+      for (int c = 0; c < 6; ++c) a.m[c] = Pack::load(body.points.state[column + c] + p);
+      rotate(a, spin_of<Dim>(body.points.velocity_gradient, p), dt);
+      for (int c = 0; c < 6; ++c) a.m[c].store(body.points.state[column + c] + p);
+    }
     column += variable.components;
   }
 }
 
-void rotate_block(Body<2>& body, Range block, double dt) {
-  const Points<2>& points = body.points;
-  for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
-    for (Index p = block.begin; p < block.end; p += pack_size) { // columns are padded to whole packs
-      const Pack w =
-          Pack(0.5) * (Pack::load(points.velocity_gradient[1] + p) - Pack::load(points.velocity_gradient[2] + p));
-      Sym<Pack> a = Sym<Pack>::zero();
-      for (const int c : {0, 1, 3}) a.m[c] = Pack::load(tensor[c] + p);
-      rotate_in_plane(a, w, dt);
-      for (const int c : {0, 1, 3}) a.m[c].store(tensor[c] + p);
-    }
-  });
-}
-
-void rotate_block(Body<3>& body, Range block, double dt) {
-  const Columns& L = body.points.velocity_gradient;
-  const auto w = [&](int i, int j, Index p) {
-    return Pack(0.5) * (Pack::load(L[i * 3 + j] + p) - Pack::load(L[j * 3 + i] + p));
-  };
-  for_each_tensor(body, [&](const std::array<double*, 6>& tensor) {
-    for (Index p = block.begin; p < block.end; p += pack_size) {
-      Sym<Pack> a;
-      for (int c = 0; c < 6; ++c) a.m[c] = Pack::load(tensor[c] + p);
-      rotate_in_space(a, {w(2, 1, p), w(0, 2, p), w(1, 0, p)}, dt);
-      for (int c = 0; c < 6; ++c) a.m[c].store(tensor[c] + p);
-    }
-  });
+/// Rotation and law over a range of points.
+template <int Dim>
+StressShare update_range(Body<Dim>& body, Range whole, const double* averaged, double dt) {
+  StressShare share;
+  LawBlock<Dim> block(body.points, dt);
+  rotate_state(body, whole, dt);
+  for (Index b = whole.begin; b < whole.end; b += law_block) {
+    block.move_to({b, std::min(b + law_block, whole.end)});
+    block.take_average(averaged);
+    MaterialReport report;
+    const double before = block.rotate_and_fill_rates();
+    body.material->integrate(block.batch(), report);
+    share.report.add(report, b);
+    share.work += 0.5 * dt * (before + block.power());
+  }
+  return share;
 }
 
 template <int Dim>
@@ -133,19 +173,7 @@ void update_stress(State<Dim>& state, double dt) {
     const PhaseClock::Lap lap(state.clock, Phase::law);
     const StressShare all = reduce_blocks(
         body.points.size(), state.shares, StressShare{},
-        [&](Range range) {
-          rotate_block(body, range, dt);
-          Block<Dim> block(body.points, range, dt);
-          block.fill_rate(body.points);
-          block.batch.averaged = averaged ? averaged + range.begin : nullptr;
-          StressShare share;
-          MaterialReport report;
-          const double before = block.power(body.points);
-          body.material->integrate(block.batch, report);
-          share.report.add(report, range.begin);
-          share.work = 0.5 * dt * (before + block.power(body.points));
-          return share;
-        },
+        [&](Range range) { return update_range(body, range, averaged, dt); },
         [](StressShare sum, const StressShare& share) {
           sum.report.add(share.report, 0);
           sum.work += share.work;
@@ -162,12 +190,16 @@ Survey survey(Body<Dim>& body, std::vector<Survey>& parts) {
   return reduce_blocks(
       body.points.size(), parts, Survey{},
       [&](Range range) {
-        const Block<Dim> block(body.points, range, 0.0);
-        return body.material->survey(block.batch);
+        Survey found;
+        LawBlock<Dim> block(body.points, 0.0);
+        for (Index b = range.begin; b < range.end; b += law_block) {
+          block.move_to({b, std::min(b + law_block, range.end)});
+          found.add(body.material->survey(block.batch()));
+        }
+        return found;
       },
       [](Survey all, const Survey& part) {
-        all.wave_speed = std::max(all.wave_speed, part.wave_speed);
-        all.out_of_bounds += part.out_of_bounds;
+        all.add(part);
         return all;
       });
 }

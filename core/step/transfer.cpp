@@ -11,45 +11,47 @@ namespace {
 
 constexpr int mandel(int i, int j) { return i == j ? i : i + j + 2; } ///< place of σ_ij in the order 11 22 33 12 13 23
 
-/// m_p and m_p v_p of eight points.
+/// m_p v_p and m_p of eight points.
 template <int Dim>
 void put_mass_and_momentum(const Points<Dim>& points, Index p, Shares<Dim>& shares) {
   const Pack m = Pack::load(points.mass[0] + p);
-  shares.value(NodeSums<Dim>::mass_at, m);
-  for (int a = 0; a < Dim; ++a) shares.value(NodeSums<Dim>::momentum_at + a, m * Pack::load(points.velocity[a] + p));
+  std::array<Pack, 4> columns;
+  columns.fill(Pack(0.0));
+  columns[NodeSums<Dim>::mass_at] = m;
+  for (int a = 0; a < Dim; ++a) columns[a] = m * Pack::load(points.velocity[a] + p);
+  shares.mass.put(columns);
 }
 
-/// m_p b, and −V_p (σ_p + p I), the stress in excess of the confining pressure.
+/// −V_p (σ_p + p I), the stress in excess of the confining pressure.
 template <int Dim>
-void put_forces(const Points<Dim>& points, Index p, const Model<Dim>& model, Shares<Dim>& shares) {
-  const Pack m = Pack::load(points.mass[0] + p), V = -Pack::load(points.volume[0] + p);
-  for (int i = 0; i < Dim; ++i) {
-    shares.value(NodeSums<Dim>::force_at + i, m * Pack(model.gravity[i]));
-    for (int j = 0; j < Dim; ++j) {
+void put_forces(const Points<Dim>& points, Index p, double pressure, Shares<Dim>& shares) {
+  const Pack V = -Pack::load(points.volume[0] + p);
+  std::array<std::array<Pack, Dim>, Dim> force;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j <= i; ++j) {
       const Pack stress = Pack::load(points.stress[mandel(i, j)] + p);
-      shares.slope(j, NodeSums<Dim>::force_at + i,
-                   i == j ? V * (stress + Pack(model.confining_pressure)) : V * stress * Pack(std::numbers::sqrt2 / 2));
+      force[i][j] = force[j][i] = i == j ? V * (stress + Pack(pressure)) : V * stress * Pack(std::numbers::sqrt2 / 2);
     }
-  }
+  shares.force.put(force);
 }
 
 /// Adds what `fill(points, p, shares)` says that eight points give. @return whether no point strayed from its slab
-template <int Dim, class Fill>
+template <Use use, int Dim, class Fill>
 bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
   return add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
     fill(body.points, group.first, shares);
-    scatter(group, shares, state.nodes);
+    scatter<use>(group, shares, state.nodes);
   });
 }
 
 /// The first sums of a step: sorts points that stray and starts again.
-template <int Dim, class Fill>
+template <Use use, int Dim, class Fill>
 void sum_from_zero(State<Dim>& state, const Model<Dim>& model, const Fill& fill) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);
   for (int attempt = 0;; ++attempt) {
     state.nodes.clear_sums();
     bool complete = true;
-    for (Body<Dim>& body : state.bodies) complete = add_shares(state, model, body, fill) && complete;
+    for (Body<Dim>& body : state.bodies) complete = add_shares<use>(state, model, body, fill) && complete;
     if (complete) return;
     sort_strays(state, model, attempt > 0);
   }
@@ -65,30 +67,31 @@ double least_mass(const State<Dim>& state) {
 
 template <int Dim>
 void points_to_grid(State<Dim>& state, const Model<Dim>& model) {
-  sum_from_zero(state, model, [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
+  sum_from_zero<Use::both>(state, model, [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
     put_mass_and_momentum(points, p, shares);
-    put_forces(points, p, model, shares);
+    put_forces(points, p, model.confining_pressure, shares);
   });
   add_surface_pressures(state, model);
 }
 
 template <int Dim>
 void map_mass_and_momentum(State<Dim>& state, const Model<Dim>& model) {
-  sum_from_zero(state, model, put_mass_and_momentum<Dim>);
-  advance_momentum(state, 0.0);
+  sum_from_zero<Use::values>(state, model, put_mass_and_momentum<Dim>);
+  advance_momentum(state, model, 0.0);
 }
 
 template <int Dim>
 void map_forces(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);
   for (Body<Dim>& body : state.bodies)
-    add_shares(state, model, body,
-               [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) { put_forces(points, p, model, shares); });
+    add_shares<Use::slopes>(state, model, body, [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
+      put_forces(points, p, model.confining_pressure, shares);
+    });
   add_surface_pressures(state, model);
 }
 
 template <int Dim>
-void advance_momentum(State<Dim>& state, double dt) {
+void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
   const double least = least_mass(state);
   parallel_for(state.nodes.size(), [&](Index i) {
@@ -96,7 +99,7 @@ void advance_momentum(State<Dim>& state, double dt) {
     NodeMotion<Dim>& motion = state.nodes.motion[i];
     if (sums.mass > least) {
       const double per_mass = 1.0 / sums.mass;
-      motion.acceleration = per_mass * sums.force;
+      motion.acceleration = per_mass * sums.force + model.gravity;
       motion.velocity = per_mass * sums.momentum + dt * motion.acceleration;
     } else {
       motion = {};
@@ -120,8 +123,8 @@ template void map_mass_and_momentum<2>(State<2>&, const Model<2>&);
 template void map_mass_and_momentum<3>(State<3>&, const Model<3>&);
 template void map_forces<2>(State<2>&, const Model<2>&);
 template void map_forces<3>(State<3>&, const Model<3>&);
-template void advance_momentum<2>(State<2>&, double);
-template void advance_momentum<3>(State<3>&, double);
+template void advance_momentum<2>(State<2>&, const Model<2>&, double);
+template void advance_momentum<3>(State<3>&, const Model<3>&, double);
 template void divide_momentum<2>(State<2>&);
 template void divide_momentum<3>(State<3>&);
 

@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-/// m_i = Σ_p N_ip m_p, (mv)_i = Σ_p N_ip m_p v_p, f_i = Σ_p N_ip m_p b − Σ_p V_p (σ_p + p I) ∇N_ip.
+/// m_i = Σ_p N_ip m_p, (mv)_i = Σ_p N_ip m_p v_p, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, and the surface loads.
 template <int Dim>
 void points_to_grid(State<Dim>& state, const Model<Dim>& model);
 
@@ -17,9 +17,9 @@ void map_mass_and_momentum(State<Dim>& state, const Model<Dim>& model);
 template <int Dim>
 void map_forces(State<Dim>& state, const Model<Dim>& model);
 
-/// v_i = ((mv)_i + f_i Δt)/m_i and a_i = f_i/m_i.
+/// v_i = (mv)_i/m_i + a_i Δt and a_i = f_i/m_i + g: gravity acts alike on all points, Σ_p N_ip m_p g = m_i g.
 template <int Dim>
-void advance_momentum(State<Dim>& state, double dt);
+void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt);
 
 /// v_i = (mv)_i/m_i, the accelerations as they are.
 template <int Dim>

@@ -8,8 +8,8 @@ namespace riedel {
 
 template <int Dim>
 void usl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
-  points_to_grid(state, model);           // m_i, (mv)_i, f_i = Σ_p N_ip m_p b − Σ_p V_p (σ_p + p I) ∇N_ip
-  advance_momentum(state, dt);            // v_i = ((mv)_i + f_i Δt)/m_i
+  points_to_grid(state, model);           // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
+  advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions
   grid_to_points(state, model, dt);       // v_p, x_p, L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   update_stress(state, dt);               // d*, rotation, law

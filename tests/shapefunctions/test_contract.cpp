@@ -2,6 +2,7 @@
 #include "support/problems.hpp"
 
 #include <gtest/gtest.h>
+#include <set>
 
 namespace riedel::test {
 namespace {
@@ -47,7 +48,7 @@ struct Cloud {
     for (int e = 0; e < group.count; ++e) {
       Vec<Dim> slope;
       for (int a = 0; a < Dim; ++a) slope[a] = group.slope[(e * Dim + a) * pack_size + lane];
-      start += f(group.value[e * pack_size + lane], slope, grid.position(grid.index(group.node[e * pack_size + lane])));
+      start += f(group.value_of(e, lane), slope, grid.position(grid.index(group.node_of(e, lane))));
     }
     return start;
   }
@@ -100,9 +101,8 @@ void slopes_match_difference_quotients(const std::string& name) {
         std::vector<double> at_node(static_cast<std::size_t>(cloud.grid.node_count()), 0.0);
         const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
         for (int e = 0; e < group.count; ++e)
-          at_node[static_cast<std::size_t>(group.node[e * pack_size + p % pack_size])] +=
-              side == 1 ? group.slope[(e * Dim + a) * pack_size + p % pack_size]
-                        : group.value[e * pack_size + p % pack_size];
+          at_node[static_cast<std::size_t>(group.node_of(e, p % pack_size))] +=
+              side == 1 ? group.slope[(e * Dim + a) * pack_size + p % pack_size] : group.value_of(e, p % pack_size);
         weights[static_cast<std::size_t>(side)].push_back(std::move(at_node));
       }
     }
@@ -127,13 +127,28 @@ void a_point_out_of_reach_is_marked(const std::string& name) {
 }
 
 template <int Dim>
+void patches_have_a_known_shape_and_no_node_twice(const std::string& name) {
+  const Cloud<Dim> cloud(name, 0.5, 0.1);
+  for (Index p = 0; p < cloud.points.size(); ++p) {
+    const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
+    EXPECT_NE(std::ranges::find(patch_shapes, group.shape), patch_shapes.end());
+    ASSERT_EQ(group.count % group.shape.entries(), 0);
+    for (int first = 0; first < group.count; first += group.shape.entries()) {
+      std::set<Index> nodes;
+      for (int e = first; e < first + group.shape.entries(); ++e) nodes.insert(group.node_of(e, p % pack_size));
+      EXPECT_EQ(static_cast<int>(nodes.size()), group.shape.entries()) << "point " << p;
+    }
+  }
+}
+
+template <int Dim>
 void rows_and_margin_hold_the_support(const std::string& name) {
   const Cloud<Dim> cloud(name, 0.5, 0.1);
   for (Index p = 0; p < cloud.points.size(); ++p) {
     const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
     EXPECT_LE(group.count, cloud.shape->max_nodes());
     for (int e = 0; e < group.count; ++e) {
-      const Counts<Dim> node = cloud.grid.index(group.node[e * pack_size + p % pack_size]);
+      const Counts<Dim> node = cloud.grid.index(group.node_of(e, p % pack_size));
       EXPECT_GE(node[Dim - 1], group.lowest[p % pack_size]);
       EXPECT_LE(node[Dim - 1], group.highest[p % pack_size]);
       for (int a = 0; a < Dim; ++a) {
@@ -183,6 +198,10 @@ TEST_P(EveryScheme, MarksAPointWhoseSupportLeavesTheGrid) {
 TEST_P(EveryScheme, TellsTheRowsAndTheMarginOfItsSupport) {
   rows_and_margin_hold_the_support<2>(GetParam());
   rows_and_margin_hold_the_support<3>(GetParam());
+}
+TEST_P(EveryScheme, GroupsNodesIntoPatchesThatTheTransfersKnow) {
+  patches_have_a_known_shape_and_no_node_twice<2>(GetParam());
+  patches_have_a_known_shape_and_no_node_twice<3>(GetParam());
 }
 TEST_P(EveryScheme, GivesAPointTheSameWeightsInAnyLane) {
   a_point_gets_the_same_bits_in_any_lane<2>(GetParam());

@@ -28,8 +28,8 @@ std::vector<Eigen::Matrix<double, Dim + 1, 1>> weights(const std::string& name, 
   for (auto& w : all) w.setZero();
   const StencilGroup<Dim>& group = stencils.group_of(0);
   for (int e = 0; e < group.count; ++e) {
-    auto& w = all[static_cast<std::size_t>(group.node[e * pack_size])];
-    w[0] += group.value[e * pack_size];
+    auto& w = all[static_cast<std::size_t>(group.node_of(e, 0))];
+    w[0] += group.value_of(e, 0);
     for (int a = 0; a < Dim; ++a) w[a + 1] += group.slope[(e * Dim + a) * pack_size];
   }
   return all;

@@ -1,0 +1,58 @@
+/// Eight rows of four doubles from four packs, and back.
+#pragma once
+
+#include "core/base/few.hpp"
+#include "core/base/pack.hpp"
+
+#include <bit>
+
+namespace riedel {
+
+/// Eight rows of four doubles, one for each of eight points: packs are their columns.
+class RowsOfFour {
+public:
+  [[nodiscard]] double* row(Index k) { return row_[k].data(); }
+  [[nodiscard]] const double* row(Index k) const { return row_[k].data(); }
+
+  void put(const std::array<Pack, 4>& column) {
+    const Eight a = std::bit_cast<Eight>(column[0]), b = std::bit_cast<Eight>(column[1]);
+    const Eight c = std::bit_cast<Eight>(column[2]), d = std::bit_cast<Eight>(column[3]);
+    const Eight even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Eight odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight even_end = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Eight odd_end = __builtin_shufflevector(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    put_pair(0, __builtin_shufflevector(even, even_end, 0, 1, 8, 9, 4, 5, 12, 13));
+    put_pair(1, __builtin_shufflevector(odd, odd_end, 0, 1, 8, 9, 4, 5, 12, 13));
+    put_pair(2, __builtin_shufflevector(even, even_end, 2, 3, 10, 11, 6, 7, 14, 15));
+    put_pair(3, __builtin_shufflevector(odd, odd_end, 2, 3, 10, 11, 6, 7, 14, 15));
+  }
+  [[nodiscard]] std::array<Pack, 4> columns() const {
+    const Eight r04 = pair(0), r15 = pair(1), r26 = pair(2), r37 = pair(3);
+    const Eight even = __builtin_shufflevector(r04, r26, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Eight odd = __builtin_shufflevector(r15, r37, 0, 1, 8, 9, 4, 5, 12, 13);
+    const Eight even_end = __builtin_shufflevector(r04, r26, 2, 3, 10, 11, 6, 7, 14, 15);
+    const Eight odd_end = __builtin_shufflevector(r15, r37, 2, 3, 10, 11, 6, 7, 14, 15);
+    return {pack(__builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14)),
+            pack(__builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15)),
+            pack(__builtin_shufflevector(even_end, odd_end, 0, 8, 2, 10, 4, 12, 6, 14)),
+            pack(__builtin_shufflevector(even_end, odd_end, 1, 9, 3, 11, 5, 13, 7, 15))};
+  }
+
+private:
+  using Eight = Few<8>::Lanes;
+  static Pack pack(const Eight& lanes) { return std::bit_cast<Pack>(lanes); }
+  /// Rows k and k + 4.
+  void put_pair(Index k, const Eight& rows) {
+    Few<4> half;
+    half.lanes = __builtin_shufflevector(rows, rows, 0, 1, 2, 3);
+    half.store(row(k));
+    half.lanes = __builtin_shufflevector(rows, rows, 4, 5, 6, 7);
+    half.store(row(k + 4));
+  }
+  [[nodiscard]] Eight pair(Index k) const {
+    return __builtin_shufflevector(Few<4>::load(row(k)).lanes, Few<4>::load(row(k + 4)).lanes, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  alignas(64) std::array<std::array<double, 4>, pack_size> row_;
+};
+
+} // namespace riedel
