@@ -27,7 +27,8 @@ public:
     put_pair(3, __builtin_shufflevector(odd, odd_end, 2, 3, 10, 11, 6, 7, 14, 15));
   }
   [[nodiscard]] std::array<Pack, 4> columns() const {
-    const Eight r04 = pair(0), r15 = pair(1), r26 = pair(2), r37 = pair(3);
+    Eight r04, r15, r26, r37;
+    get_pair(0, r04), get_pair(1, r15), get_pair(2, r26), get_pair(3, r37);
     const Eight even = __builtin_shufflevector(r04, r26, 0, 1, 8, 9, 4, 5, 12, 13);
     const Eight odd = __builtin_shufflevector(r15, r37, 0, 1, 8, 9, 4, 5, 12, 13);
     const Eight even_end = __builtin_shufflevector(r04, r26, 2, 3, 10, 11, 6, 7, 14, 15);
@@ -49,8 +50,8 @@ private:
     half.lanes = __builtin_shufflevector(rows, rows, 4, 5, 6, 7);
     half.store(row(k + 4));
   }
-  [[nodiscard]] Eight pair(Index k) const {
-    return __builtin_shufflevector(Few<4>::load(row(k)).lanes, Few<4>::load(row(k + 4)).lanes, 0, 1, 2, 3, 4, 5, 6, 7);
+  void get_pair(Index k, Eight& rows) const {
+    rows = __builtin_shufflevector(Few<4>::load(row(k)).lanes, Few<4>::load(row(k + 4)).lanes, 0, 1, 2, 3, 4, 5, 6, 7);
   }
   alignas(64) std::array<std::array<double, 4>, pack_size> row_;
 };
