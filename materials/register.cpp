@@ -2,6 +2,7 @@
 
 #include "materials/gudehus_bauer.hpp"
 #include "materials/linear_elastic.hpp"
+#include "materials/von_wolffersdorff.hpp"
 
 namespace riedel {
 
@@ -20,6 +21,10 @@ void register_materials(Materials& materials) {
   add<LinearElastic>(materials, "Hooke's law in rates", "");
   add<GudehusBauer>(materials, "hypoplastic sand, local or non-local (averages rate_norm)",
                     "Gudehus (1996), Bauer (1996)");
+  add<VonWolffersdorff>(
+      materials,
+      "hypoplastic sand with the critical states of Matsuoka and Nakai, local or non-local (averages rate_norm)",
+      "von Wolffersdorff (1996)");
 }
 
 } // namespace riedel
