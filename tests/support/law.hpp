@@ -12,6 +12,7 @@ struct LawCase {
   std::string name, label;
   std::map<std::string, Value> with = {};
 };
+inline void PrintTo(const LawCase& tested, std::ostream* out) { *out << tested.label; }
 inline std::vector<LawCase> every_law() {
   std::vector<LawCase> cases;
   for (const auto& law : catalogue().materials.entries()) {
