@@ -3,7 +3,7 @@
 namespace riedel {
 
 Keys IntergranularStrainParameters::keys() {
-  // Defaults: Hochstetten sand, Niemunis & Herle (1997); R, β_R and χ hardly differ from sand to sand.
+  // Defaults: Hochstetten sand, Niemunis & Herle (1997).
   return {
       {std::string(chosen),
        false,
