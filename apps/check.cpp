@@ -20,7 +20,7 @@ int check(const Arguments& arguments) {
     std::cout << biaxial_reference(catalogue);
     return 0;
   }
-  const BiaxialCase checked = biaxial_case(arguments.case_file(), catalogue);
+  const CheckedCase checked = biaxial_case(arguments.case_file(), catalogue);
   for (const std::string& warning : checked.warnings) print_warning(warning);
   std::cout << "# ok\n" << case_text(checked.keys, checked.values);
   return 0;
