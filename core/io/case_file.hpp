@@ -33,6 +33,10 @@ public:
   /// The text given for a key, before validation: a law's name decides which parameters there are.
   [[nodiscard]] std::optional<std::string> peek_text(std::string_view key) const;
 
+  /// Greatest number among the tables of an array: [[stage]] tables have the keys "stage.1.…", "stage.2.…", which may
+  /// also be written as [stage.1] or --set stage.1.…; 0 when there are none.
+  [[nodiscard]] int count(std::string_view list) const;
+
   /// Where a key was given: "case.toml:12:9: specimen.width", "--set specimen.width" or "specimen.width (default)".
   [[nodiscard]] std::string place(std::string_view key) const;
 
