@@ -51,8 +51,9 @@ void check_spacing(const Values& v, std::vector<Finding>& warnings) {
 Findings check_biaxial(const Values& values) {
   Findings found;
   check_limits_of_void_ratio(values, found.errors);
-  check_void_ratio(values, "specimen.void_ratio", "loading.confining_pressure", found.errors);
-  check_void_ratio(values, "imperfection.void_ratio", "loading.confining_pressure", found.errors);
+  const std::string pressure = "loading.confining_pressure";
+  for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})
+    check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
   check_number_of_points(values, found.errors);
   check_spacing(values, found.warnings);

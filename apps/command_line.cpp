@@ -150,6 +150,7 @@ Examples
   riedel biaxial --set scheme=cpdi --out results/cpdi   one key changed
   riedel check > case.toml                              a case file with every key, to edit
   riedel biaxial case.toml --out results/mine           and to run
+  riedel element triaxial --set specimen.void_ratio=0.7 an element test: oedometer, triaxial, shear, biaxial
 
 'riedel COMMAND --help' tells more of each command; 'riedel --version' prints the version. The paper is
 Krzyżanowski, Wójcik and Tejchman (2020).

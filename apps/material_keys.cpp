@@ -36,19 +36,16 @@ void append_material(Keys& keys, const Catalogue& catalogue, std::string_view mo
     if (!known || law.description.name == model) append_parameters(keys, law.description);
 }
 
-void check_void_ratio(const Values& v, const std::string& key, const std::string& pressure,
+void check_void_ratio(const Values& v, const std::string& key, const StartPressure& start,
                       std::vector<Finding>& errors) {
   if (!has_parameters(v, {"e_d0", "e_i0", "h_s", "n"})) return;
-  const double p = v.number(pressure), h_s = v.number("material.h_s"), n = v.number("material.n");
-  const double shrink = std::exp(-std::pow(3.0 * p / h_s, n));
+  const double shrink = std::exp(-std::pow(3.0 * start.p / v.number("material.h_s"), v.number("material.n")));
   const double e_d = v.number("material.e_d0") * shrink, e_i = v.number("material.e_i0") * shrink;
   const double e_0 = v.number(key);
   if (e_0 > e_d && e_0 <= e_i) return;
-  std::string name = pressure.substr(pressure.rfind('.') + 1);
-  std::ranges::replace(name, '_', ' ');
-  errors.push_back({{key, pressure, "material.e_d0", "material.e_i0", "material.h_s", "material.n"},
+  errors.push_back({{key, start.key, "material.e_d0", "material.e_i0", "material.h_s", "material.n"},
                     exact_text(e_0) + " is out of range; the law allows (" + rounded(e_d) + ", " + rounded(e_i) +
-                        "] at the " + name});
+                        "] at the " + start.name});
 }
 
 void check_limits_of_void_ratio(const Values& v, std::vector<Finding>& errors) {

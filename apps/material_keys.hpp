@@ -19,10 +19,15 @@ void append(Keys& keys, const Keys& more);
 
 /// e_d0 < e_c0 < e_i0, of laws that have such parameters.
 void check_limits_of_void_ratio(const Values& values, std::vector<Finding>& errors);
+/// A mean pressure p [Pa], the key that gives it, and what messages call it.
+struct StartPressure {
+  double p;
+  std::string key, name;
+};
 /// e_d < e0 ≤ e_i at a pressure, where e_i = e_i0 exp[−(3 p/h_s)^n] and e_d likewise, of laws that have such
 /// parameters.
-/// @param key the void ratio's   @param pressure the key of the mean pressure p at the start
-void check_void_ratio(const Values& values, const std::string& key, const std::string& pressure,
+/// @param key the void ratio's
+void check_void_ratio(const Values& values, const std::string& key, const StartPressure& start,
                       std::vector<Finding>& errors);
 
 } // namespace riedel

@@ -76,7 +76,7 @@ PointDriver::Step PointDriver::corrected(const Task& task, const Step& step, boo
 }
 
 /// Slopes are kept from step to step as long as each correction leaves less than a fifth of the residual.
-std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vector& guess) {
+std::optional<PointDriver::Step> PointDriver::solve_from(const Task& task, const Vector& guess) {
   constexpr int most = 30;
   constexpr double stalled = 30.0; // where the law cuts its sub-steps otherwise, its answer jumps by so little
   Step step = attempt(task, guess);
@@ -99,6 +99,29 @@ std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vect
   return std::nullopt;
 }
 
+/// So much of a direction that the residual becomes as small as it can. @return nothing where that is no way forward
+std::optional<PointDriver::Vector> PointDriver::scaled(const Task& task, const Vector& direction) const {
+  constexpr double h = 1e-7; // laws are homogeneous in the rate
+  const Step rest = attempt(task, Vector::Zero());
+  const Vector slope = (attempt(task, h * direction).residual - rest.residual) / h;
+  const double length = -rest.residual.dot(slope) / slope.squaredNorm();
+  if (!(length > 0.0 && length < 0.1)) return std::nullopt;
+  return length * direction;
+}
+
+/// Where Newton's method fails from the guess, it starts anew in other directions: a law that answers loading and
+/// unloading with different slopes may hide the one behind the other.
+std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vector& guess) {
+  if (auto step = solve_from(task, guess)) return step;
+  std::vector<Vector> directions{last_direction_, -last_direction_, Vector::Zero()};
+  directions.back().head<3>().setConstant(-1.0);
+  for (Eigen::Index j = 0; j < 6; ++j) directions.insert(directions.end(), {-Vector::Unit(j), Vector::Unit(j)});
+  for (const Vector& direction : directions)
+    if (const auto start = scaled(task, direction))
+      if (auto step = solve_from(task, *start)) return step;
+  return std::nullopt;
+}
+
 /// The step from `share` on: whole, and in two halves.
 std::optional<PointDriver::Halves> PointDriver::step_and_halves(const Leg& leg, const std::array<double, 6>& from,
                                                                 double share, double length) {
@@ -109,23 +132,31 @@ std::optional<PointDriver::Halves> PointDriver::step_and_halves(const Leg& leg, 
   if (!first) return std::nullopt;
   const auto second = solve({leg, first->end, from, share + length, half}, first->increment);
   if (!second) return std::nullopt;
-  const double stress = norm(whole->end.stress - second->end.stress) / std::max(norm(second->end.stress), 1e-6);
+  const double size = std::max({norm(point_.stress), norm(second->end.stress), 1e-6});
+  const double stress = norm(whole->end.stress - second->end.stress) / size;
   const double motion = (whole->end.F - second->end.F).norm() / std::max(whole->increment.norm(), 1e-300);
-  return Halves{.first = *first, .second = *second, .error = std::max(stress, motion) / 3.0};
+  const double change = norm(second->end.stress - point_.stress) / (size * control_.largest_change);
+  return Halves{.first = *first,
+                .second = *second,
+                .error = std::max(stress, motion) / (3.0 * control_.tolerance),
+                .change = std::max(length > first_share() ? change : 0.0,
+                                   whole->increment.lpNorm<Eigen::Infinity>() / control_.largest_strain)};
 }
 
 bool PointDriver::follow(const Leg& leg, const std::function<bool(const LawPoint&)>& go_on) {
   constexpr double smallest_share = 1e-10;
   std::array<double, 6> from{};
   for (std::size_t c = 0; c < 6; ++c) from[c] = leg.conditions[c].measure(point_);
+  if (!rate_.isZero()) last_direction_ = rate_.normalized();
   rate_.setZero();
   has_slopes_ = false;
-  for (double share = 0.0, length = 1e-2 * control_.largest_share; share < 1.0;) {
+  for (double share = 0.0, length = first_share(); share < 1.0;) {
     length = std::min(length, control_.largest_share);
     if (share + 1.01 * length > 1.0) length = 1.0 - share;
     const auto step = step_and_halves(leg, from, share, length);
-    const double factor = step ? 0.9 * std::cbrt(control_.tolerance / std::max(step->error, 1e-300)) : 0.25;
-    if (step && step->error <= control_.tolerance) {
+    const double factor =
+        step ? 0.9 * std::min(1.0 / std::cbrt(step->error), 1.0 / step->change) : 0.25; // infinite of 0, cut below
+    if (step && step->error <= 1.0 && step->change <= 1.0) {
       keep(*step, length);
       share = length == 1.0 - share ? 1.0 : share + length;
       if (!go_on(point_)) return share == 1.0;

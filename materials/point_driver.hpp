@@ -31,6 +31,8 @@ struct PointControl {
   /// [-].
   double tolerance = 1e-5;
   double largest_share = 0.02; ///< of a leg that one step may take [-]
+  /// Of the stress, relative, and of the strain in one step, so that straight lines show the curve [-].
+  double largest_change = 0.02, largest_strain = 0.01;
 };
 
 /// Each step is of second order: the velocity gradient is constant over it, and a modified Newton iteration finds the
@@ -61,13 +63,17 @@ private:
   };
   struct Halves { ///< a step taken in two halves
     Step first, second;
-    double error;
+    double error, change; ///< over what is allowed: of the step's error, of its change of stress and strain
   };
   struct Task; ///< what one step has to meet
 
+  /// The first step of a leg; one so short may change the stress as it likes, which is little but near zero stress.
+  [[nodiscard]] double first_share() const { return 1e-3 * control_.largest_share; }
   [[nodiscard]] Step attempt(const Task& task, const Vector& increment) const;
   [[nodiscard]] Matrix slopes(const Task& task, const Step& at) const;
   [[nodiscard]] Step corrected(const Task& task, const Step& step, bool slopes_are_new) const;
+  std::optional<Step> solve_from(const Task& task, const Vector& guess);
+  [[nodiscard]] std::optional<Vector> scaled(const Task& task, const Vector& direction) const;
   std::optional<Step> solve(const Task& task, const Vector& guess);
   std::optional<Halves> step_and_halves(const Leg& leg, const std::array<double, 6>& from, double share, double length);
   void keep(const Halves& step, double length);
@@ -76,7 +82,8 @@ private:
   const Material& law_;
   PointControl control_;
   LawPoint point_;
-  Vector rate_ = Vector::Zero(); ///< of the increment, per share of the leg
+  Vector rate_ = Vector::Zero();           ///< of the increment, per share of the leg
+  Vector last_direction_ = Vector::Zero(); ///< in which the point moved at the end of the leg before
   Matrix slopes_ = Matrix::Zero();
   bool has_slopes_ = false;
   std::string missed_; ///< the condition that the last failure missed most

@@ -102,7 +102,7 @@ Angles angles(double void_ratio, double pressure, const Leg& leg) {
     if (found.last > found.peak) found.peak = found.last, found.at = 1 - q.F(0, 0);
     return true;
   });
-  EXPECT_LT(driver.steps(), 600);
+  EXPECT_LT(driver.steps(), 1000);
   return found;
 }
 

@@ -1,0 +1,150 @@
+/// riedel element: oedometer, triaxial, shear, biaxial, or a path of one's own, at one point or more.
+#include "apps/catalogue.hpp"
+#include "apps/commands.hpp"
+#include "apps/element_drivers.hpp"
+#include "apps/element_keys.hpp"
+#include "apps/element_pictures.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/messages.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/vary.hpp"
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/case_text.hpp"
+#include "core/io/history.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace riedel {
+
+namespace {
+
+/// One of the cases that a command runs.
+struct Run {
+  Variant variant;
+  CheckedCase checked;
+  std::filesystem::path folder;
+};
+
+std::string test_named(const Arguments& arguments) {
+  const std::vector<std::string>& tests = element_tests();
+  std::string known;
+  for (const std::string& test : tests) known += (known.empty() ? "" : ", ") + test;
+  if (arguments.words.empty()) throw InputError("riedel element needs a test: " + known);
+  const std::string& test = arguments.words.front();
+  if (std::ranges::find(tests, test) == tests.end())
+    throw InputError("unknown element test '" + test + "'; known: " + known);
+  return test;
+}
+
+/// The case file under the test that the command line names.
+CaseFile given_case(const Arguments& arguments, const std::string& test) {
+  CaseFile given = arguments.case_file(1);
+  if (const auto wish = test_of(given); wish && *wish != test)
+    throw InputError(given.place("test") + ": is \"" + *wish + "\", and the command asks for " + test);
+  given.override_with("test=" + test);
+  if (const auto driver = arguments.text("driver")) given.override_with("driver.kind=" + *driver);
+  return given;
+}
+
+std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, const Catalogue& catalogue,
+                         const std::filesystem::path& folder) {
+  const auto wishes = arguments.options.find("vary");
+  std::vector<Run> runs;
+  for (Variant& variant :
+       variants_of(given_case(arguments, test),
+                   wishes == arguments.options.end() ? std::vector<std::string>{} : wishes->second)) {
+    CheckedCase checked = element_case(variant.given, catalogue);
+    const std::filesystem::path place = variant.name.empty() ? folder : folder / variant.name;
+    runs.push_back({std::move(variant), std::move(checked), place});
+  }
+  return runs;
+}
+
+void write_summary(const Run& run, const ElementCurve& curve, double wall) {
+  nlohmann::ordered_json all{{"case", "element"},
+                             {"test", curve.test},
+                             {"version", version()},
+                             {"driver", run.checked.values.text("driver.kind")},
+                             {"material", run.checked.values.text("material.model")}};
+  all.update(element_summary(curve));
+  all["wall_s"] = wall;
+  write_atomically(run.folder / "summary.json", all.dump(2) + "\n");
+}
+
+/// Runs one case and leaves case.toml, element.csv and summary.json in its folder.
+ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt) {
+  const Values& values = run.checked.values;
+  const std::string& test = values.text("test");
+  write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
+  const auto start = std::chrono::steady_clock::now();
+  History history(run.folder / "element.csv", element_columns(test));
+  const ElementWatch watch{.at_row = [&](const ElementRow& row) { history.add(element_numbers(row, test)); },
+                           .stop = [&] { return static_cast<bool>(interrupt); }};
+  ElementCurve curve = element_driver(values).run(values, catalogue, watch);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  write_summary(run, curve, wall.count());
+  return curve;
+}
+
+void print_result(const NamedCurve& named) {
+  const ElementCurve& curve = named.curve;
+  const auto peak = std::ranges::max_element(curve.rows, {}, &ElementRow::phi_mob);
+  const ElementRow& last = curve.rows.back();
+  const bool shear = curve.test == "shear";
+  std::printf("%s%speak %.2f deg at %s = %.2f %%, end %.2f deg, e = %.4f, sigma_1 = %.4g kPa at %.2f %%\n",
+              named.label.c_str(), named.label.empty() ? "" : ": ", peak->phi_mob, shear ? "gamma" : "eps_1",
+              100 * (shear ? peak->gamma : peak->eps[0]), last.phi_mob, last.void_ratio, 1e-3 * last.sigma[0],
+              100 * (shear ? last.gamma : last.eps[0]));
+}
+
+/// Behind the test's name in a title: the law, and the void ratio unless it is varied.
+std::string subject_of(const Run& run) {
+  const Values& values = run.checked.values;
+  const bool varied = run.variant.label.find("void_ratio") != std::string::npos;
+  return ", " + values.text("material.model") +
+         (varied ? "" : ", e₀ = " + short_text(values.number("specimen.void_ratio")));
+}
+
+void print_files(const std::filesystem::path& folder, bool several, const std::vector<std::string>& pictures) {
+  std::printf("written to %s: %scase.toml, element.csv, summary.json", folder.c_str(), several ? "folders with " : "");
+  for (const std::string& name : pictures) std::printf(", %s", name.c_str());
+  std::printf("\n");
+}
+
+} // namespace
+
+int element(const Arguments& arguments) {
+  const Catalogue catalogue = full_catalogue();
+  const std::string test = test_named(arguments);
+  const std::filesystem::path folder = arguments.out("results/element/" + test);
+  const std::vector<Run> runs = runs_of(arguments, test, catalogue, folder);
+  std::optional<Overlay> overlay;
+  if (const auto path = arguments.text("reference")) overlay = read_overlay(*path, test);
+
+  prepare_output_folder(folder, arguments.force());
+  for (const Run& run : runs) prepare_output_folder(run.folder, arguments.force());
+  const Interrupt interrupt;
+  std::vector<NamedCurve> curves;
+  int code = 0;
+  for (const Run& run : runs) {
+    curves.push_back({run.variant.label, carry_out(run, catalogue, interrupt)});
+    const ElementCurve& curve = curves.back().curve;
+    print_result(curves.back());
+    if (!curve.failure.empty()) {
+      print_error((run.variant.label.empty() ? "" : run.variant.label + ": ") + curve.failure);
+      code = 3;
+    }
+    if (interrupt) break;
+  }
+  std::vector<std::string> pictures;
+  if (runs.front().checked.values.flag("output.plots"))
+    pictures = draw_element(curves, overlay, subject_of(runs.front()), folder);
+  print_files(folder, runs.size() > 1, pictures);
+  return interrupt ? interrupt.exit_code() : code;
+}
+
+} // namespace riedel
