@@ -9,16 +9,19 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-/// 0 where there is no stress.
+/// asin((a − b)/(a + b)), 0 where there is no compression [deg]
+double angle_between(double a, double b) {
+  return a + b > 0.0 ? std::asin(std::clamp((a - b) / (a + b), -1.0, 1.0)) * degrees : 0.0;
+}
+
 double principal_angle(const Sym<double>& stress) {
   const Eigen::SelfAdjointEigenSolver<Mat<3>> solver(to_matrix(stress), Eigen::EigenvaluesOnly);
-  const double most = -solver.eigenvalues()[0], least = -solver.eigenvalues()[2];
-  return most + least > 0.0 ? std::asin(std::min(1.0, (most - least) / (most + least))) * degrees : 0.0;
+  return angle_between(-solver.eigenvalues()[0], -solver.eigenvalues()[2]);
 }
 
 } // namespace
 
-ElementRow element_row(const LawPoint& point, double void_ratio, bool shear_angle) {
+ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction) {
   ElementRow row;
   for (int a = 0; a < 3; ++a) {
     row.eps[static_cast<std::size_t>(a)] = 1.0 - point.F(a, a);
@@ -28,7 +31,9 @@ ElementRow element_row(const LawPoint& point, double void_ratio, bool shear_angl
   row.tau = point.stress.m[3] / std::numbers::sqrt2 + 0.0; // no minus zero
   row.void_ratio = void_ratio;
   row.phi_principal = principal_angle(point.stress);
-  row.phi_mob = shear_angle ? std::atan2(row.tau, row.sigma[1]) * degrees : row.phi_principal;
+  row.phi_mob = row.phi_principal;
+  if (friction == Friction::in_plane) row.phi_mob = angle_between(row.sigma[0], row.sigma[1]);
+  if (friction == Friction::on_planes) row.phi_mob = std::atan2(row.tau, row.sigma[1]) * degrees;
   return row;
 }
 

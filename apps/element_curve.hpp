@@ -30,8 +30,11 @@ struct ElementCurve {
   MaterialReport report;
 };
 
-/// @param shear_angle phi_mob = atan(τ/σ_2), as in a shear test; otherwise phi_mob = phi_principal
-ElementRow element_row(const LawPoint& point, double void_ratio, bool shear_angle);
+/// What phi_mob is: that of the principal stresses; asin((σ_1 − σ_2)/(σ_1 + σ_2)), which leaves out the stress out of
+/// the plane of a biaxial test; or atan(τ/σ_2), that of the sheared planes.
+enum class Friction { principal, in_plane, on_planes };
+
+ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction);
 
 /// Header of element.csv: ends with phi_principal_deg in the shear test.
 std::vector<std::string> element_columns(const std::string& test);

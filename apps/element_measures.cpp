@@ -26,7 +26,7 @@ double volume_strain(const LawPoint& q) { return 1.0 - q.F.determinant(); }
 double pressure(const LawPoint& q) { return -trace(q.stress) / 3.0; }
 double deviator_1(const LawPoint& q) { return stress<0>(q) - 0.5 * (stress<1>(q) + stress<2>(q)); }
 double difference(const LawPoint& q) { return stress<1>(q) - stress<2>(q); }
-double mobilised_angle(const LawPoint& q) { return element_row(q, 0.0, false).phi_principal; }
+double mobilised_angle(const LawPoint& q) { return element_row(q, 0.0, Friction::principal).phi_principal; }
 
 } // namespace
 

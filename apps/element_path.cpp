@@ -22,7 +22,7 @@ Sym<double> isotropic(double pressure) { return -pressure * Sym<double>::identit
 /// The tests of the paper (oedometer, triaxial compression, shear with free dilatancy) and plane strain compression.
 ElementPath named_path(const Values& v, const std::string& test) {
   const double strain = v.number("loading.final_strain");
-  ElementPath path{.stress = {}, .stages = {{.name = test, .legs = {}}}};
+  ElementPath path{.stress = {}, .stages = {{.name = test, .legs = {}}}, .friction = Friction::in_plane};
   PathStage& stage = path.stages.front();
   Wishes wishes{{"gamma", hold}, {"gamma_13", hold}, {"gamma_23", hold}};
   if (test == "oedometer") {
@@ -33,7 +33,7 @@ ElementPath named_path(const Values& v, const std::string& test) {
     path.stress = isotropic(v.number("loading.normal_stress"));
     wishes = {{"gamma", strain}, {"gamma_13", hold}, {"gamma_23", hold},
               {"eps_1", hold},   {"sigma_2", hold},  {"eps_3", hold}};
-    path.shear_angle = true;
+    path.friction = Friction::on_planes;
   } else {
     path.stress = isotropic(v.number("loading.confining_pressure"));
     wishes.insert(wishes.end(),

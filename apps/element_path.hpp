@@ -1,6 +1,7 @@
 /// The path that an element test leads a point along: stages, each a number of legs that may be repeated.
 #pragma once
 
+#include "apps/element_curve.hpp"
 #include "apps/element_measures.hpp"
 #include "core/base/parameters.hpp"
 
@@ -43,7 +44,7 @@ struct PathStage {
 struct ElementPath {
   Sym<double> stress; ///< at the start, tension positive [Pa]
   std::vector<PathStage> stages;
-  bool shear_angle = false; ///< phi_mob is atan(τ/σ_2)
+  Friction friction = Friction::principal; ///< what phi_mob is
 };
 
 /// The leg for a point that stands at its start.

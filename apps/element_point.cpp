@@ -11,12 +11,12 @@ namespace {
 /// Decides which points become rows: straight lines between them show the curve.
 class Rows {
 public:
-  Rows(const Material& law, double void_ratio, double every, bool shear_angle, const ElementWatch& watch,
+  Rows(const Material& law, double void_ratio, double every, Friction friction, const ElementWatch& watch,
        std::vector<ElementRow>& rows)
       : column_(state_column(law.states(), "void_ratio")),
         void_ratio_(void_ratio),
         every_(every),
-        shear_angle_(shear_angle),
+        friction_(friction),
         watch_(watch),
         rows_(rows) {}
 
@@ -37,7 +37,7 @@ private:
   [[nodiscard]] ElementRow row_of(const LawPoint& point) const {
     const double e = column_ >= 0 ? point.state[static_cast<std::size_t>(column_)]
                                   : (1.0 + void_ratio_) * point.F.determinant() - 1.0; // a law that carries none
-    return element_row(point, e, shear_angle_);
+    return element_row(point, e, friction_);
   }
   [[nodiscard]] bool near(const ElementRow& a, const ElementRow& b) const {
     constexpr double angle = 0.1, share = 0.005; // [deg], of the stress
@@ -52,7 +52,7 @@ private:
 
   int column_;
   double void_ratio_, every_;
-  bool shear_angle_;
+  Friction friction_;
   const ElementWatch& watch_;
   std::vector<ElementRow>& rows_;
   ElementRow last_;
@@ -99,7 +99,7 @@ ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, 
   ElementCurve curve{.test = values.text("test"), .rows = {}, .failure = {}, .report = {}};
   const double every = values.number("output.every_strain");
   PointDriver driver(*law, start, {.tolerance = values.number("driver.tolerance"), .largest_strain = every});
-  Rows rows(*law, values.number("specimen.void_ratio"), every, path.shear_angle, watch, curve.rows);
+  Rows rows(*law, values.number("specimen.void_ratio"), every, path.friction, watch, curve.rows);
   rows.look(start);
   for (const PathStage& stage : path.stages) {
     try {
