@@ -101,12 +101,17 @@ void print_result(const NamedCurve& named) {
               100 * (shear ? last.gamma : last.eps[0]));
 }
 
-/// Behind the test's name in a title: the law, and the void ratio unless it is varied.
+/// Behind the test's name in a title: the law, and the void ratio and the pressure unless they are varied.
 std::string subject_of(const Run& run) {
   const Values& values = run.checked.values;
-  const bool varied = run.variant.label.find("void_ratio") != std::string::npos;
-  return ", " + values.text("material.model") +
-         (varied ? "" : ", e₀ = " + short_text(values.number("specimen.void_ratio")));
+  const auto fixed = [&](const std::string& key) {
+    return values.has(key) && run.variant.label.find(key.substr(key.rfind('.') + 1)) == std::string::npos;
+  };
+  std::string subject = ", " + values.text("material.model");
+  if (fixed("specimen.void_ratio")) subject += ", e₀ = " + short_text(values.number("specimen.void_ratio"));
+  for (const auto& [key, symbol] : {std::pair{"loading.confining_pressure", "σ_c"}, {"loading.normal_stress", "σ_n"}})
+    if (fixed(key)) subject += std::string(", ") + symbol + " = " + short_text(1e-3 * values.number(key)) + " kPa";
+  return subject;
 }
 
 void print_files(const std::filesystem::path& folder, bool several, const std::vector<std::string>& pictures) {

@@ -56,6 +56,10 @@ std::vector<double> column_of(const ElementCurve& curve, const Axis& axis) {
   return values;
 }
 
+bool changes_across(const Series& series) {
+  return std::ranges::any_of(series.x, [&](double x) { return x != series.x.front(); });
+}
+
 bool shows(const PictureOf& picture, const Table& table) {
   return table.has(picture.x.column) && table.has(picture.y.column);
 }
@@ -74,6 +78,7 @@ std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, con
               .log_x = picture.log_x};
     for (const auto& [label, curve] : curves)
       plot.series.push_back({.label = label, .x = column_of(curve, picture.x), .y = column_of(curve, picture.y)});
+    if (std::ranges::none_of(plot.series, changes_across)) continue; // no shear in a path without shear
     if (overlay && shows(picture, overlay->table))
       plot.series.push_back({.label = overlay->label,
                              .x = scaled(overlay->table[picture.x.column], picture.x.unit),

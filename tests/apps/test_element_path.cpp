@@ -104,6 +104,18 @@ TEST_F(ElementPaths, TheResolvedCaseIsAFixedPoint) {
   EXPECT_EQ(text.find("free\n"), std::string::npos);
 }
 
+/// Every example of a path in the documentation is one.
+TEST_F(ElementPaths, ThoseOfTheDocumentationAreFitToRun) {
+  const std::string text = file_content(SOURCE_DIR "/docs/howto/element_paths.md");
+  int examples = 0;
+  for (std::size_t at = text.find("```toml\n"); at != std::string::npos;
+       at = text.find("```toml\n", at + 1), ++examples) {
+    const std::size_t start = at + std::string("```toml\n").size();
+    EXPECT_EQ(errors("test = 'path'\n" + text.substr(start, text.find("```", start) - start)), "no error");
+  }
+  EXPECT_EQ(examples, 5);
+}
+
 TEST(Vary, CrossesItsWishes) {
   const auto all = variants_of(CaseFile::empty(), {"a.x=1,2", "b=[1,2],[3,4]"});
   std::vector<std::string> names;
