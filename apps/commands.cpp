@@ -17,6 +17,7 @@ Options element_options() {
   options.push_back({"out", "DIR", "folder for the results; default: results/element/TEST"});
   options.push_back({"driver", "NAME", "what carries the test out; as --set driver.kind=NAME"});
   options.push_back({"vary", "KEY=A,B", "run the case for each value, in a folder each; may be repeated: crossed"});
+  options.push_back({"import", "DIR", "path: take it from parameters.inp, initialconditions.inp and test.inp in DIR"});
   options.push_back({"reference", "FILE.csv", "show a curve with columns named as in element.csv beside the others"});
   options.push_back({"force", "", "write over the results that the folder holds"});
   return options;

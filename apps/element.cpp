@@ -4,6 +4,7 @@
 #include "apps/element_drivers.hpp"
 #include "apps/element_keys.hpp"
 #include "apps/element_pictures.hpp"
+#include "apps/incremental_driver.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
@@ -40,13 +41,23 @@ std::string test_named(const Arguments& arguments) {
   return test;
 }
 
-/// The case file under the test that the command line names.
+/// The case file, or the one that --import makes.
+CaseFile given_file(const Arguments& arguments, const std::string& test) {
+  const auto folder = arguments.text("import");
+  if (!folder) return arguments.case_file(1);
+  if (test != "path" || arguments.words.size() > 1)
+    throw InputError("--import gives the whole case of 'riedel element path', without another test or a case file");
+  const auto model = arguments.with_settings(CaseFile::empty()).peek_text("material.model");
+  return arguments.with_settings(import_incremental_driver(*folder, model));
+}
+
+/// The case under the test that the command line names.
 CaseFile given_case(const Arguments& arguments, const std::string& test) {
-  CaseFile given = arguments.case_file(1);
+  CaseFile given = given_file(arguments, test);
   if (const auto wish = test_of(given); wish && *wish != test)
     throw InputError(given.place("test") + ": is \"" + *wish + "\", and the command asks for " + test);
-  given.override_with("test=" + test);
-  if (const auto driver = arguments.text("driver")) given.override_with("driver.kind=" + *driver);
+  given.override_with("test=" + test, "riedel element:");
+  if (const auto driver = arguments.text("driver")) given.override_with("driver.kind=" + *driver, "--driver:");
   return given;
 }
 
@@ -75,15 +86,20 @@ void write_summary(const Run& run, const ElementCurve& curve, double wall) {
   write_atomically(run.folder / "summary.json", all.dump(2) + "\n");
 }
 
-/// Runs one case and leaves case.toml, element.csv and summary.json in its folder.
-ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt) {
+/// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
+ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt, bool imported) {
   const Values& values = run.checked.values;
   const std::string& test = values.text("test");
   write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
   const auto start = std::chrono::steady_clock::now();
   History history(run.folder / "element.csv", element_columns(test));
-  const ElementWatch watch{.at_row = [&](const ElementRow& row) { history.add(element_numbers(row, test)); },
-                           .stop = [&] { return static_cast<bool>(interrupt); }};
+  std::optional<IncrementalOutput> output;
+  const auto write_row = [&](const ElementRow& row, const LawPoint& point) {
+    history.add(element_numbers(row, test));
+    if (imported && !output) output.emplace(run.folder / "output.txt", point.state.size());
+    if (output) output->add(point);
+  };
+  const ElementWatch watch{.at_row = write_row, .stop = [&] { return static_cast<bool>(interrupt); }};
   ElementCurve curve = element_driver(values).run(values, catalogue, watch);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   write_summary(run, curve, wall.count());
@@ -136,7 +152,7 @@ int element(const Arguments& arguments) {
   std::vector<NamedCurve> curves;
   int code = 0;
   for (const Run& run : runs) {
-    curves.push_back({run.variant.label, carry_out(run, catalogue, interrupt)});
+    curves.push_back({run.variant.label, carry_out(run, catalogue, interrupt, arguments.has("import"))});
     const ElementCurve& curve = curves.back().curve;
     print_result(curves.back());
     if (!curve.failure.empty()) {

@@ -8,8 +8,8 @@ namespace riedel {
 
 /// What a driver tells, and asks, on its way.
 struct ElementWatch {
-  std::function<void(const ElementRow&)> at_row; ///< for each row, the start included
-  std::function<bool()> stop;                    ///< asked after each step
+  std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
+  std::function<bool()> stop;                                     ///< asked after each step
 };
 
 /// A driver returns what came out, also when the material could not follow: then `failure` says why.

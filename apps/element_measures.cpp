@@ -22,6 +22,16 @@ template <int Component>
 double stress(const LawPoint& q) {
   return Component < 3 ? -q.stress.m[Component] : q.stress.m[Component] / std::numbers::sqrt2;
 }
+/// ∫ D dt, compression positive; of a shear 2 ∫ D_ij dt.
+template <int Component>
+double natural(const LawPoint& q) {
+  return Component < 3 ? -q.strain.m[Component] : q.strain.m[Component] * std::numbers::sqrt2;
+}
+double natural_volume(const LawPoint& q) { return -trace(q.strain); }
+double natural_deviator(const LawPoint& q) {
+  return 2.0 / 3.0 * (natural<0>(q) - 0.5 * (natural<1>(q) + natural<2>(q)));
+}
+double natural_difference(const LawPoint& q) { return 0.5 * (natural<1>(q) - natural<2>(q)); }
 double volume_strain(const LawPoint& q) { return 1.0 - q.F.determinant(); }
 double pressure(const LawPoint& q) { return -trace(q.stress) / 3.0; }
 double deviator_1(const LawPoint& q) { return stress<0>(q) - 0.5 * (stress<1>(q) + stress<2>(q)); }
@@ -48,6 +58,15 @@ const std::vector<Measure>& measures() {
       {"p", "Pa", "mean pressure (sigma_1 + sigma_2 + sigma_3)/3", pressure},
       {"q", "Pa", "sigma_1 - (sigma_2 + sigma_3)/2", deviator_1},
       {"sigma_2_minus_3", "Pa", "sigma_2 - sigma_3; 0: the same pressure from all sides", difference},
+      {"ln_1", "-", "natural strain along 1, the integral of its rate, compression positive", natural<0>},
+      {"ln_2", "-", "natural strain along 2", natural<1>},
+      {"ln_3", "-", "natural strain along 3", natural<2>},
+      {"ln_12", "-", "natural shear, the integral of 2 D_12", natural<3>},
+      {"ln_13", "-", "natural shear, the integral of 2 D_13", natural<4>},
+      {"ln_23", "-", "natural shear, the integral of 2 D_23", natural<5>},
+      {"ln_p", "-", "natural decrease of volume, conjugate to p", natural_volume},
+      {"ln_q", "-", "2/3 (ln_1 - (ln_2 + ln_3)/2), conjugate to q", natural_deviator},
+      {"ln_z", "-", "(ln_2 - ln_3)/2, conjugate to sigma_2_minus_3", natural_difference},
       {"phi_mob", "deg", "mobilised angle of friction", mobilised_angle, false},
   };
   return all;

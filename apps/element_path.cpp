@@ -4,6 +4,8 @@
 #include "core/base/error.hpp"
 #include "core/io/units.hpp"
 
+#include <algorithm>
+
 namespace riedel {
 
 namespace {
@@ -51,7 +53,10 @@ const Value& wish(const Values& v, const std::string& stage, const std::string& 
 }
 
 PathLeg given_leg(const Values& v, const std::string& stage, const std::string& leg) {
-  PathLeg result{.prescriptions = {}, .relative = v.flag(stage + "relative"), .duration = v.number(leg + "duration")};
+  PathLeg result{.prescriptions = {},
+                 .relative = v.flag(stage + "relative"),
+                 .duration = v.number(leg + "duration"),
+                 .spin = v.flag(stage + "spin")};
   const auto given = [&](const std::string& name) {
     return wish(v, stage, leg, name) != Value(std::string(free_word));
   };
@@ -61,8 +66,9 @@ PathLeg given_leg(const Values& v, const std::string& stage, const std::string& 
     const bool held = std::holds_alternative<std::string>(value);
     result.prescriptions.push_back({&measure, held ? hold : std::optional(std::get<double>(value))});
   }
-  for (const auto& [strain, stress] : {std::pair{"gamma", "tau"}, {"gamma_13", "tau_13"}, {"gamma_23", "tau_23"}})
-    if (!given(strain) && !given(stress)) result.prescriptions.push_back({&find_measure(strain), hold});
+  for (const std::array<const char*, 3>& shear :
+       {std::array{"gamma", "tau", "ln_12"}, {"gamma_13", "tau_13", "ln_13"}, {"gamma_23", "tau_23", "ln_23"}})
+    if (std::ranges::none_of(shear, given)) result.prescriptions.push_back({&find_measure(shear.front()), hold});
   return result;
 }
 
@@ -100,7 +106,9 @@ Stop parse_stop(const std::string& text) {
 }
 
 Leg leg_from(const PathLeg& leg, const LawPoint& point) {
-  Leg result{.conditions = {}, .duration = leg.duration};
+  Leg result{.conditions = {},
+             .duration = leg.duration,
+             .motion = leg.spin ? Leg::Motion::simple_shear : Leg::Motion::no_spin};
   for (std::size_t c = 0; c < result.conditions.size(); ++c) {
     const auto& [measure, target] = leg.prescriptions.at(c);
     const double now = measure->of(point), start = leg.relative || !target ? now : 0.0;

@@ -32,6 +32,7 @@ struct PathLeg {
   std::vector<Prescription> prescriptions; ///< six
   bool relative = false;                   ///< targets are changes from the start of the leg
   double duration = 1.0;                   ///< [s]
+  bool spin = true;                        ///< shears turn the normals of the sheared planes
 };
 
 struct PathStage {

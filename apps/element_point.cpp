@@ -22,6 +22,7 @@ public:
 
   void look(const LawPoint& point) {
     last_ = row_of(point);
+    point_ = point;
     written_ = false;
     if (rows_.empty() || !near(rows_.back(), last_)) write();
   }
@@ -29,7 +30,7 @@ public:
   void write() {
     if (written_) return;
     rows_.push_back(last_);
-    watch_.at_row(last_);
+    watch_.at_row(last_, point_);
     written_ = true;
   }
 
@@ -56,6 +57,7 @@ private:
   const ElementWatch& watch_;
   std::vector<ElementRow>& rows_;
   ElementRow last_;
+  LawPoint point_;
   bool written_ = false;
 };
 

@@ -28,9 +28,9 @@ void remove_frames(const fs::path& folder, const std::string& series) {
 
 /// All but case.toml, which may be the very case that is being run.
 void remove_results(const fs::path& folder) {
-  for (const char* result :
-       {"history.csv", "element.csv", "summary.json", "points.pvd", "domains.pvd", "history.png", "history.svg",
-        "void_ratio.png", "shear_strain.png", "stress_strain.png", "compression.png", "friction.png", "shear.png"})
+  for (const char* result : {"history.csv", "element.csv", "output.txt", "summary.json", "points.pvd", "domains.pvd",
+                             "history.png", "history.svg", "void_ratio.png", "shear_strain.png", "stress_strain.png",
+                             "compression.png", "friction.png", "shear.png"})
     fs::remove(folder / result);
   for (const char* series : {"points", "domains"}) remove_frames(folder, series);
 }

@@ -64,6 +64,11 @@ Keys stage_keys(const std::string& prefix) {
       {prefix + "repeat", std::int64_t{1}, "-", between(1, 1e6), "times that the legs are run through"},
       {prefix + "until", "", "", {}, "what ends the stage early, such as \"p < 20 kPa\"; empty: nothing"},
       {prefix + "relative", false, "", {}, "targets are changes from the start of each leg"},
+      {prefix + "spin",
+       true,
+       "",
+       {},
+       "a shear turns the normals of the sheared planes; false: no spin, as with small strains"},
       {prefix + "duration", 1.0, "s", more_than(0), "time that a leg takes; of no effect where the law knows no rate"}};
   append(keys, measure_keys(prefix));
   return keys;

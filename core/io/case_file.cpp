@@ -138,7 +138,7 @@ CaseFile CaseFile::read(const std::filesystem::path& path) {
   return file;
 }
 
-void CaseFile::override_with(std::string_view assignment) {
+void CaseFile::override_with(std::string_view assignment, const std::string& source) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
     throw InputError("--set " + std::string(assignment) + ": expected KEY=VALUE, such as specimen.width=0.05");
@@ -155,7 +155,7 @@ void CaseFile::override_with(std::string_view assignment) {
     throw InputError("--set " + std::string(assignment) + ": '" + key + "' is not the name of a key");
   }
   for (Positioned& p : all) {
-    p.given.place = "--set " + p.given.name;
+    p.given.place = source + " " + p.given.name;
     std::erase_if(given_, [&](const Given& old) { return old.name == p.given.name; });
     given_.push_back(std::move(p.given));
   }

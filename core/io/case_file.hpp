@@ -28,7 +28,8 @@ public:
   static CaseFile read(const std::filesystem::path& path);
 
   /// One `--set key.path=value`; the value is TOML, or else a text as it stands. The last setting of a key wins.
-  void override_with(std::string_view assignment);
+  /// @param source what messages call the place it comes from
+  void override_with(std::string_view assignment, const std::string& source = "--set");
 
   /// The text given for a key, before validation: a law's name decides which parameters there are.
   [[nodiscard]] std::optional<std::string> peek_text(std::string_view key) const;
