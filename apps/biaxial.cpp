@@ -135,7 +135,7 @@ int run_case(const Values& values, const Catalogue& catalogue, const std::filesy
 
 int biaxial(const Arguments& arguments) {
   const Catalogue catalogue = full_catalogue();
-  const BiaxialCase given = biaxial_case(arguments.case_file(), catalogue);
+  const CheckedCase given = biaxial_case(arguments.case_file(), catalogue);
   for (const std::string& warning : given.warnings) print_warning(warning);
   const std::filesystem::path folder = arguments.out("results/biaxial");
   const int threads = arguments.threads();

@@ -8,36 +8,6 @@ namespace riedel {
 
 namespace {
 
-std::string rounded(double x) {
-  const double unit = std::pow(10.0, 4 - static_cast<int>(std::ceil(std::log10(std::max(std::abs(x), 1e-300)))));
-  return exact_text(std::round(x * unit) / unit);
-}
-
-/// e_d < e0 ≤ e_i at the confining pressure, where e_i = e_i0 exp[−(3 p/h_s)^n] and e_d likewise.
-void check_void_ratio(const Values& v, const std::string& key, std::vector<Finding>& errors) {
-  for (const char* parameter : {"e_d0", "e_i0", "h_s", "n"})
-    if (!v.has(std::string("material.") + parameter)) return;
-  const double p = v.number("loading.confining_pressure"), h_s = v.number("material.h_s"), n = v.number("material.n");
-  const double shrink = std::exp(-std::pow(3.0 * p / h_s, n));
-  const double e_d = v.number("material.e_d0") * shrink, e_i = v.number("material.e_i0") * shrink;
-  const double e_0 = v.number(key);
-  if (e_0 > e_d && e_0 <= e_i) return;
-  errors.push_back({{key, "loading.confining_pressure", "material.e_d0", "material.e_i0", "material.h_s", "material.n"},
-                    exact_text(e_0) + " is out of range; the law allows (" + rounded(e_d) + ", " + rounded(e_i) +
-                        "] at the confining pressure"});
-}
-
-/// e_d0 < e_c0 < e_i0
-void check_limits_of_void_ratio(const Values& v, std::vector<Finding>& errors) {
-  for (const char* parameter : {"e_d0", "e_c0", "e_i0"})
-    if (!v.has(std::string("material.") + parameter)) return;
-  const double e_d0 = v.number("material.e_d0"), e_c0 = v.number("material.e_c0"), e_i0 = v.number("material.e_i0");
-  if (e_d0 < e_c0 && e_c0 < e_i0) return;
-  errors.push_back(
-      {{"material.e_c0", "material.e_d0", "material.e_i0"},
-       exact_text(e_c0) + " does not lie between e_d0 = " + exact_text(e_d0) + " and e_i0 = " + exact_text(e_i0)});
-}
-
 void check_imperfection(const Values& v, std::vector<Finding>& errors) {
   constexpr double round_off = 1e-9;
   const auto &size = v.numbers("imperfection.size"), &centre = v.numbers("imperfection.centre");
@@ -87,11 +57,12 @@ void check_locality(const Values& v, std::vector<Finding>& errors) {
 
 } // namespace
 
-BiaxialFindings check_biaxial(const Values& values) {
-  BiaxialFindings found;
+Findings check_biaxial(const Values& values) {
+  Findings found;
   check_limits_of_void_ratio(values, found.errors);
-  check_void_ratio(values, "specimen.void_ratio", found.errors);
-  check_void_ratio(values, "imperfection.void_ratio", found.errors);
+  const std::string pressure = "loading.confining_pressure";
+  for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})
+    check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
   check_locality(values, found.errors);
   check_number_of_points(values, found.errors);

@@ -1,7 +1,5 @@
 #include "apps/biaxial_keys.hpp"
 
-#include "core/base/error.hpp"
-
 #include <algorithm>
 
 namespace riedel {
@@ -68,15 +66,6 @@ Keys method_keys(const Catalogue& catalogue) {
   };
 }
 
-void append(Keys& keys, const Keys& more) { keys.insert(keys.end(), more.begin(), more.end()); }
-
-void append_parameters(Keys& keys, const Description& law) {
-  for (Key key : law.parameters) {
-    key.name = "material." + key.name;
-    if (std::ranges::find(keys, key.name, &Key::name) == keys.end()) keys.push_back(std::move(key));
-  }
-}
-
 /// A law knows which of its scalars can be averaged.
 void restrict_variable(Keys& keys, const Materials::Entry& law) {
   const auto variables = law.make(Values(law.description.parameters))->nonlocal_variables();
@@ -87,38 +76,18 @@ void restrict_variable(Keys& keys, const Materials::Entry& law) {
     key.default_value = variables.front();
 }
 
-bool concerns(const Finding& finding, const std::vector<Finding>& errors) {
-  return std::ranges::any_of(errors, [&](const Finding& error) {
-    return std::ranges::find(finding.keys, error.keys.front()) != finding.keys.end();
-  });
-}
-
 } // namespace
 
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   Keys keys = problem_keys(catalogue);
-  keys.push_back(
-      {"material.model", std::string(paper_model), "", any, "law of the material", catalogue.materials.names()});
-  const bool known = catalogue.materials.known(model);
-  for (const auto& law : catalogue.materials.entries())
-    if (!known || law.description.name == model) append_parameters(keys, law.description);
+  append_material(keys, catalogue, model);
   append(keys, method_keys(catalogue));
-  if (known) restrict_variable(keys, catalogue.materials.find(model));
+  if (catalogue.materials.known(model)) restrict_variable(keys, catalogue.materials.find(model));
   return keys;
 }
 
-BiaxialCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  const std::string model = given.peek_text("material.model").value_or(std::string(paper_model));
-  BiaxialCase result{.keys = biaxial_keys(catalogue, model), .values = {}, .warnings = {}};
-  CheckedValues checked = given.check(result.keys);
-  const BiaxialFindings found = check_biaxial(checked.values);
-  std::vector<Finding> errors = checked.errors;
-  for (const Finding& error : found.errors) // a wrong key has its default here, about which nothing should be said
-    if (!concerns(error, checked.errors)) errors.push_back(error);
-  if (!errors.empty()) throw InputError(given.lines(errors));
-  result.values = std::move(checked.values);
-  for (const Finding& warning : found.warnings) result.warnings.push_back(given.lines({warning}));
-  return result;
+CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
+  return checked_case(given, biaxial_keys(catalogue, model_of(given)), check_biaxial);
 }
 
 } // namespace riedel

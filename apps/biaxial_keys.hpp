@@ -2,8 +2,8 @@
 /// schema.
 #pragma once
 
-#include "core/interface/catalogue.hpp"
-#include "core/io/case_file.hpp"
+#include "apps/checked_case.hpp"
+#include "apps/material_keys.hpp"
 
 namespace riedel {
 
@@ -12,23 +12,10 @@ namespace riedel {
 /// that the law's name is the only error
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model);
 
-/// The law of the paper.
-inline constexpr std::string_view paper_model = "gudehus_bauer";
-
-/// What one key cannot see: errors stop the run, warnings are told.
-struct BiaxialFindings {
-  std::vector<Finding> errors, warnings;
-};
-BiaxialFindings check_biaxial(const Values& values);
-
-/// A case that is fit to run.
-struct BiaxialCase {
-  Keys keys;
-  Values values;
-  std::vector<std::string> warnings; ///< each with its place
-};
+/// What one key cannot see.
+Findings check_biaxial(const Values& values);
 
 /// @throws InputError with a line for everything that is wrong
-BiaxialCase biaxial_case(const CaseFile& given, const Catalogue& catalogue);
+CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue);
 
 } // namespace riedel

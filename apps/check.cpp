@@ -1,6 +1,7 @@
 #include "apps/biaxial_keys.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
 #include "apps/messages.hpp"
 #include "core/io/case_text.hpp"
@@ -9,18 +10,21 @@
 
 namespace riedel {
 
-/// `riedel check`: all errors at once, or the case with every key in force. What it prints is a case itself.
+/// `riedel check`: all errors at once, or the case with every key in force. What it prints is a case itself. A case
+/// that names a test is one of `riedel element`.
 int check(const Arguments& arguments) {
   const Catalogue catalogue = full_catalogue();
-  if (arguments.has("schema")) {
-    std::cout << biaxial_schema(catalogue);
-    return 0;
-  }
   if (arguments.has("reference")) {
-    std::cout << biaxial_reference(catalogue);
+    std::cout << input_reference(catalogue);
     return 0;
   }
-  const BiaxialCase checked = biaxial_case(arguments.case_file(), catalogue);
+  const CaseFile given = arguments.case_file();
+  const auto test = test_of(given);
+  if (arguments.has("schema")) {
+    std::cout << (test ? element_schema(catalogue, *test) : biaxial_schema(catalogue));
+    return 0;
+  }
+  const CheckedCase checked = test ? element_case(given, catalogue) : biaxial_case(given, catalogue);
   for (const std::string& warning : checked.warnings) print_warning(warning);
   std::cout << "# ok\n" << case_text(checked.keys, checked.values);
   return 0;

@@ -79,7 +79,10 @@ CaseFile Arguments::case_file(std::size_t position) const {
   const bool named = words.size() > position;
   if (named && words[position].find('=') != std::string::npos && !std::filesystem::exists(words[position]))
     throw InputError(words[position] + ": there is no such case file (did you mean '--set " + words[position] + "'?)");
-  CaseFile file = named ? CaseFile::read(words[position]) : CaseFile::empty();
+  return with_settings(named ? CaseFile::read(words[position]) : CaseFile::empty());
+}
+
+CaseFile Arguments::with_settings(CaseFile file) const {
   if (const auto found = options.find("set"); found != options.end())
     for (const std::string& setting : found->second) file.override_with(setting);
   return file;
@@ -150,6 +153,7 @@ Examples
   riedel biaxial --set scheme=cpdi --out results/cpdi   one key changed
   riedel check > case.toml                              a case file with every key, to edit
   riedel biaxial case.toml --out results/mine           and to run
+  riedel element triaxial --set specimen.void_ratio=0.7 an element test: oedometer, triaxial, shear, biaxial
 
 'riedel COMMAND --help' tells more of each command; 'riedel --version' prints the version. The paper is
 Krzyżanowski, Wójcik and Tejchman (2020).

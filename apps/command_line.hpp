@@ -22,6 +22,7 @@ struct Arguments {
   [[nodiscard]] int threads() const;
   /// The case file (the word at `position`, else the defaults) with every --set on it.
   [[nodiscard]] CaseFile case_file(std::size_t position = 0) const;
+  [[nodiscard]] CaseFile with_settings(CaseFile file) const; ///< with every --set on it
 };
 
 struct Option {

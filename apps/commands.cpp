@@ -3,6 +3,7 @@
 #include "apps/bench_options.hpp"
 #include "apps/biaxial_keys.hpp"
 #include "apps/catalogue.hpp"
+#include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
 
 namespace riedel {
@@ -10,6 +11,28 @@ namespace riedel {
 namespace {
 
 std::string biaxial_keys_help() { return keys_help(biaxial_keys(full_catalogue(), paper_model)); }
+
+Options element_options() {
+  Options options = case_options();
+  options.push_back({"out", "DIR", "folder for the results; default: results/element/TEST"});
+  options.push_back({"driver", "NAME", "what carries the test out; as --set driver.kind=NAME"});
+  options.push_back({"vary", "KEY=A,B", "run the case for each value, in a folder each; may be repeated: crossed"});
+  options.push_back({"import", "DIR", "path: take it from parameters.inp, initialconditions.inp and test.inp in DIR"});
+  options.push_back({"reference", "FILE.csv", "show a curve with columns named as in element.csv beside the others"});
+  options.push_back({"force", "", "write over the results that the folder holds"});
+  return options;
+}
+
+std::string element_help() {
+  std::string text = "A path is a case with [[stage]] tables: docs/howto/element_paths.md.\n\n"
+                     "Examples\n"
+                     "  riedel element triaxial --vary specimen.void_ratio=0.6,0.75,0.9\n"
+                     "  riedel element shear --set loading.normal_stress=\"50 kPa\" --out results/shear50\n"
+                     "  riedel element path mine.toml\n";
+  for (const std::string& test : element_tests())
+    text += "\n" + test + ": " + keys_help(element_keys(full_catalogue(), test, paper_model));
+  return text;
+}
 
 Options check_options() {
   Options options = case_options();
@@ -40,6 +63,9 @@ const std::vector<Command>& commands() {
       {"biaxial", "[CASE.toml] [options]",
        "Plane strain compression of a sand specimen; the paper's case when none is given.", 1,
        run_options("results/biaxial"), biaxial, biaxial_keys_help},
+      {"element", "TEST [CASE.toml] [options]",
+       "Element tests: oedometer, triaxial, shear, biaxial, or a path of one's own.", 2, element_options(), element,
+       element_help},
       {"check", "[CASE.toml] [options]",
        "Checks a case, tells all errors at once, or prints it with every key in force.", 1, check_options(), check,
        biaxial_keys_help},

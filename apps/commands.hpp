@@ -6,6 +6,7 @@
 namespace riedel {
 
 int biaxial(const Arguments& arguments);
+int element(const Arguments& arguments);
 int list(const Arguments& arguments);
 int check(const Arguments& arguments);
 int bench(const Arguments& arguments);

@@ -1,6 +1,8 @@
 #include "apps/key_tables.hpp"
 
 #include "apps/biaxial_keys.hpp"
+#include "apps/element_keys.hpp"
+#include "apps/path_keys.hpp"
 #include "core/io/case_text.hpp"
 
 #include <algorithm>
@@ -62,16 +64,18 @@ std::string help_line(const Key& key, std::size_t indent) {
          (fits ? "" : std::string(margin, ' ') + choices + "\n");
 }
 
-std::string markdown_line(const Key& key) {
+constexpr const char* table_head = "| key | unit | default | allowed | |\n|---|---|---|---|---|\n";
+
+std::string markdown_line(const Key& key, const std::string& name) {
   std::string range = allowed(key);
   for (std::size_t at = range.find('|'); at != std::string::npos; at = range.find('|', at + 2)) range.insert(at, "\\");
-  return "| `" + key.name.substr(section_of(key).size()) + "` | " + unit_of(key) + " | `" +
-         toml_text(key.default_value) + "` | " + range + " | " + key.doc + " |\n";
+  return "| `" + name + "` | " + unit_of(key) + " | `" + toml_text(key.default_value) + "` | " + range + " | " +
+         key.doc + " |\n";
 }
 
 std::string markdown_table(const Keys& keys) {
-  std::string text = "| key | unit | default | allowed | |\n|---|---|---|---|---|\n";
-  for (const Key& key : keys) text += markdown_line(key);
+  std::string text = table_head;
+  for (const Key& key : keys) text += markdown_line(key, key.name.substr(section_of(key).size()));
   return text + "\n";
 }
 
@@ -79,6 +83,28 @@ std::string law_section(const Description& law) {
   const std::string source = has_source(law) ? " " + law.source + "." : "";
   return "### `model = \"" + law.name + "\"`\n\n" + law.summary + "." + source + "\n\n" +
          (law.parameters.empty() ? "" : markdown_table(law.parameters));
+}
+
+/// The keys whose sections are among those named, with the sections as part of their names.
+std::string dotted_table(const Keys& keys, std::initializer_list<std::string_view> sections) {
+  std::string text = table_head;
+  for (const Key& key : keys)
+    if (std::ranges::find(sections, section_of(key)) != sections.end()) text += markdown_line(key, key.name);
+  return text + "\n";
+}
+
+std::string element_reference(const Catalogue& catalogue) {
+  std::string text =
+      "# Keys of an element test\n\nA case of `riedel element` names its test, `test = \"triaxial\"`, or "
+      "leaves it to the command. `[material]` is that of a biaxial case,\nwith a smaller default of "
+      "`tolerance`: " +
+      toml_text(element_law_tolerance) + ".\n\n";
+  for (const std::string& test : element_tests())
+    text += "## `riedel element " + test + "`\n\n" +
+            dotted_table(element_keys(catalogue, test, paper_model), {"specimen.", "initial.", "loading."});
+  return text + "### `[[stage]]`\n\n" + markdown_table(stage_keys("")) + "### `[[stage.leg]]`\n\n" +
+         markdown_table(leg_keys("")) + "## Any of them\n\n" +
+         dotted_table(element_keys(catalogue, element_tests().front(), paper_model), {"driver.", "output."});
 }
 
 } // namespace
@@ -103,7 +129,7 @@ std::string parameters_help(const Keys& parameters) {
   return text;
 }
 
-std::string biaxial_reference(const Catalogue& catalogue) {
+std::string input_reference(const Catalogue& catalogue) {
   std::string text =
       "# Keys of a biaxial case\n\nMade by `riedel check --reference` from the table that also checks the case. "
       "Every key has a default, the paper's value.\nNumbers are SI (angles in degrees) or texts with a unit: "
@@ -121,6 +147,7 @@ std::string biaxial_reference(const Catalogue& catalogue) {
       for (const auto& law : laws) text += law_section(law.description);
     first = last;
   }
+  text += element_reference(catalogue);
   text.pop_back(); // one line end is enough for the last line
   return text;
 }

@@ -14,10 +14,13 @@ std::string keys_help(const Keys& keys);
 /// Lines for the parameters of one scheme or law.
 std::string parameters_help(const Keys& parameters);
 
-/// The reference of all keys of a biaxial case, with the parameters of every law, as Markdown.
-std::string biaxial_reference(const Catalogue& catalogue);
+/// The reference of all keys: of a biaxial case, with the parameters of every law, and of the element tests, as
+/// Markdown.
+std::string input_reference(const Catalogue& catalogue);
 
-/// JSON Schema (draft 7) of a biaxial case. The parameters allowed in [material] follow from its model.
+/// JSON Schema (draft 7) of a case. The parameters allowed in [material] follow from its model.
 std::string biaxial_schema(const Catalogue& catalogue);
+/// @throws InputError for an unknown test
+std::string element_schema(const Catalogue& catalogue, const std::string& test);
 
 } // namespace riedel

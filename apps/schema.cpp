@@ -1,6 +1,11 @@
 #include "apps/biaxial_keys.hpp"
+#include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
+#include "apps/path_keys.hpp"
+#include "core/base/error.hpp"
+#include "core/io/suggestion.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -59,28 +64,55 @@ Json material_schema(const Description& law) {
   return schema;
 }
 
-} // namespace
+/// The keys of a section, made where it is not there yet.
+Json& section_in(Json& properties, const std::string& name) {
+  if (!properties.contains(name)) properties[name] = section_schema();
+  return properties[name]["properties"];
+}
 
-std::string biaxial_schema(const Catalogue& catalogue) {
+Json case_schema(const std::string& title, const Keys& keys, const Catalogue& catalogue) {
   Json schema = section_schema();
   Json& properties = schema["properties"];
-  for (const Key& key : biaxial_keys(catalogue, paper_model)) {
+  for (const Key& key : keys) {
     const std::size_t dot = key.name.find('.');
     const std::string section = key.name.substr(0, dot);
     if (section == "material") continue;
-    if (dot == std::string::npos) {
+    if (dot == std::string::npos)
       properties[key.name] = property(key);
-      continue;
-    }
-    if (!properties.contains(section)) properties[section] = section_schema();
-    properties[section]["properties"][key.name.substr(dot + 1)] = property(key);
+    else
+      section_in(properties, section)[key.name.substr(dot + 1)] = property(key);
   }
   Json laws = Json::array();
   for (const auto& law : catalogue.materials.entries()) laws.push_back(material_schema(law.description));
   properties["material"] = {{"oneOf", laws}};
-  Json document = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "A biaxial case of Riedel"}};
+  Json document = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
   document.update(schema);
-  return document.dump(2) + "\n";
+  return document;
+}
+
+/// A list of stages, each with a list of legs.
+Json stages_schema() {
+  Json leg = section_schema(), stage = section_schema();
+  for (const Key& key : leg_keys("")) leg["properties"][key.name] = property(key);
+  for (const Key& key : stage_keys("")) stage["properties"][key.name] = property(key);
+  stage["properties"]["leg"] = {{"type", "array"}, {"items", leg}};
+  return {{"type", "array"}, {"items", stage}};
+}
+
+} // namespace
+
+std::string biaxial_schema(const Catalogue& catalogue) {
+  return case_schema("A biaxial case of Riedel", biaxial_keys(catalogue, paper_model), catalogue).dump(2) + "\n";
+}
+
+std::string element_schema(const Catalogue& catalogue, const std::string& test) {
+  const auto& tests = element_tests();
+  if (std::ranges::find(tests, test) == tests.end())
+    throw InputError("test = \"" + test + "\" is not known" + did_you_mean(test, tests));
+  Json schema =
+      case_schema("An element test of Riedel: " + test, element_keys(catalogue, test, paper_model), catalogue);
+  if (test == "path") schema["properties"]["stage"] = stages_schema();
+  return schema.dump(2) + "\n";
 }
 
 } // namespace riedel

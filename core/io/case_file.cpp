@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -50,16 +51,24 @@ Given given_from(const toml::node& node, const std::string& name) {
   return given;
 }
 
-/// Every value of the tree with its dotted path.
-void flatten(const toml::table& table, const std::string& prefix, std::vector<Positioned>& all) {
-  for (const auto& [key, node] : table) {
-    const std::string name = prefix + std::string(key.str());
-    const toml::table* inner = node.as_table();
-    if (inner != nullptr && !inner->empty())
-      flatten(*inner, name + ".", all);
-    else
-      all.push_back({given_from(node, name), node.source().begin});
+void flatten(const toml::table& table, const std::string& prefix, std::vector<Positioned>& all);
+
+void flatten(const toml::node& node, const std::string& name, std::vector<Positioned>& all) {
+  const toml::table* inner = node.as_table();
+  const toml::array* list = node.as_array();
+  if (inner != nullptr && !inner->empty()) {
+    flatten(*inner, name + ".", all);
+  } else if (list != nullptr && list->is_array_of_tables()) {
+    int number = 0;
+    for (const toml::node& item : *list) flatten(item, name + "." + std::to_string(++number), all);
+  } else {
+    all.push_back({given_from(node, name), node.source().begin});
   }
+}
+
+/// Every value of the tree with its dotted path; the tables of an array are numbered from one.
+void flatten(const toml::table& table, const std::string& prefix, std::vector<Positioned>& all) {
+  for (const auto& [key, node] : table) flatten(node, prefix + std::string(key.str()), all);
 }
 
 std::optional<toml::table> parsed_table(std::string_view text) {
@@ -129,7 +138,7 @@ CaseFile CaseFile::read(const std::filesystem::path& path) {
   return file;
 }
 
-void CaseFile::override_with(std::string_view assignment) {
+void CaseFile::override_with(std::string_view assignment, const std::string& source) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
     throw InputError("--set " + std::string(assignment) + ": expected KEY=VALUE, such as specimen.width=0.05");
@@ -146,7 +155,7 @@ void CaseFile::override_with(std::string_view assignment) {
     throw InputError("--set " + std::string(assignment) + ": '" + key + "' is not the name of a key");
   }
   for (Positioned& p : all) {
-    p.given.place = "--set " + p.given.name;
+    p.given.place = source + " " + p.given.name;
     std::erase_if(given_, [&](const Given& old) { return old.name == p.given.name; });
     given_.push_back(std::move(p.given));
   }
@@ -162,6 +171,18 @@ std::optional<std::string> CaseFile::peek_text(std::string_view key) const {
   if (given == nullptr || given->kind != Given::Kind::single) return std::nullopt;
   const auto* text = std::get_if<std::string>(&given->items.front());
   return text == nullptr ? std::nullopt : std::optional(*text);
+}
+
+int CaseFile::count(std::string_view list) const {
+  int most = 0;
+  for (const Given& given : given_) {
+    if (!given.name.starts_with(std::string(list) + ".")) continue;
+    int number = 0;
+    const std::string_view rest = std::string_view(given.name).substr(list.size() + 1);
+    std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    most = std::max(most, number);
+  }
+  return most;
 }
 
 std::string CaseFile::place(std::string_view key) const {

@@ -28,10 +28,15 @@ public:
   static CaseFile read(const std::filesystem::path& path);
 
   /// One `--set key.path=value`; the value is TOML, or else a text as it stands. The last setting of a key wins.
-  void override_with(std::string_view assignment);
+  /// @param source what messages call the place it comes from
+  void override_with(std::string_view assignment, const std::string& source = "--set");
 
   /// The text given for a key, before validation: a law's name decides which parameters there are.
   [[nodiscard]] std::optional<std::string> peek_text(std::string_view key) const;
+
+  /// Greatest number among the tables of an array: [[stage]] tables have the keys "stage.1.…", "stage.2.…", which may
+  /// also be written as [stage.1] or --set stage.1.…; 0 when there are none.
+  [[nodiscard]] int count(std::string_view list) const;
 
   /// Where a key was given: "case.toml:12:9: specimen.width", "--set specimen.width" or "specimen.width (default)".
   [[nodiscard]] std::string place(std::string_view key) const;

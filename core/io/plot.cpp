@@ -35,17 +35,21 @@ struct Curve {
 
 /// Places on the sheet for the values of a plot.
 struct Axes {
-  Interval x, y;
+  Interval x, y; ///< x of logarithms, where the axis is logarithmic
   Box area;
-  [[nodiscard]] double across(double value) const { return area.left + x.part(value) * area.width(); }
+  bool log_x;
+  [[nodiscard]] double across(double value) const { return along(log_x ? std::log10(value) : value); }
+  [[nodiscard]] double along(double place) const { return area.left + x.part(place) * area.width(); }
   [[nodiscard]] double down(double value) const { return area.bottom - y.part(value) * area.height(); }
 };
 
 Interval x_interval(const Plot& plot) {
   Extent extent;
   for (const Series& s : plot.series)
-    for (double value : s.x) extent.add(value);
-  return plot.x_range.value_or(extent.interval(0.02));
+    for (double value : s.x) extent.add(plot.log_x ? std::log10(value) : value);
+  if (!plot.log_x) return plot.x_range.value_or(extent.interval(0.02));
+  if (plot.x_range) return {std::log10(plot.x_range->low), std::log10(plot.x_range->high)};
+  return extent.interval(0.0);
 }
 
 Interval y_interval(const Plot& plot) {
@@ -98,8 +102,8 @@ Pen pen_of(const Curve& curve) {
 
 void draw_axes(Canvas& canvas, const Plot& plot, const Axes& axes) {
   const Box& a = axes.area;
-  const auto x_ticks = round_ticks(axes.x, 7), y_ticks = round_ticks(axes.y, 6);
-  const auto x_labels = tick_labels(x_ticks), y_labels = tick_labels(y_ticks);
+  const auto x_ticks = axes.log_x ? log_ticks(axes.x) : round_ticks(axes.x, 7), y_ticks = round_ticks(axes.y, 6);
+  const auto x_labels = axes.log_x ? log_tick_labels(x_ticks) : tick_labels(x_ticks), y_labels = tick_labels(y_ticks);
   const Pen axis{ink, thin};
   for (std::size_t i = 0; i < y_ticks.size(); ++i) {
     const double y = axes.down(y_ticks[i]);
@@ -108,7 +112,7 @@ void draw_axes(Canvas& canvas, const Plot& plot, const Axes& axes) {
     canvas.text({a.left - tick - 4, y + 0.36 * small}, y_labels[i], {small, ink, Anchor::end});
   }
   for (std::size_t i = 0; i < x_ticks.size(); ++i) {
-    const double x = axes.across(x_ticks[i]);
+    const double x = axes.along(x_ticks[i]);
     canvas.line({{x, a.bottom}, {x, a.bottom + tick}}, axis);
     canvas.text({x, a.bottom + tick + 3 + small}, x_labels[i], {small, ink, Anchor::middle});
   }
@@ -156,7 +160,7 @@ Layout lay_out(const Plot& plot, bool beside) {
     if (!s.label.empty()) labels.push_back(s.label);
   const double width = sample + gap + widest(labels), height = row * static_cast<double>(labels.size());
 
-  layout.axes = {x_interval(plot), y_interval(plot), {}};
+  layout.axes = {x_interval(plot), y_interval(plot), {}, plot.log_x};
   layout.axes.area = area_of(plot, layout.axes.y, beside ? width + 2 * gap : 0);
   layout.curves = curves_of(plot, layout.axes);
   Occupied occupied;

@@ -30,6 +30,7 @@ struct Plot {
   std::string title, x_label, y_label; ///< UTF-8; with the unit, as in "mobilised friction angle φ [°]"
   std::vector<Series> series;
   std::vector<ReferenceLine> references = {};
+  bool log_x = false; ///< decimal logarithm across; values that have none interrupt the curve
   std::optional<Interval> x_range = {}, y_range = {}; ///< from the data if not given; curves are cut at the axes
   double width = 640, height = 440;                   ///< a PNG has 2.5 pixels for each
 };

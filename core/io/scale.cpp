@@ -59,6 +59,29 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   return labels;
 }
 
+std::vector<double> log_ticks(const Interval& logarithms) {
+  constexpr double slack = 1e-9;
+  std::vector<double> ticks;
+  const bool few = logarithms.width() < 2.5;
+  for (double power = std::floor(logarithms.low); power <= logarithms.high; ++power)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double tick = power + std::log10(factor);
+      const bool inside = tick >= logarithms.low - slack && tick <= logarithms.high + slack;
+      if (inside && (few || factor == 1.0)) ticks.push_back(tick);
+    }
+  return ticks;
+}
+
+std::vector<std::string> log_tick_labels(const std::vector<double>& ticks) {
+  std::vector<std::string> labels;
+  for (const double tick : ticks) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", std::pow(10.0, tick));
+    labels.emplace_back(text.data());
+  }
+  return labels;
+}
+
 Color viridis(double part) {
   // Eleven even steps of the map by van der Walt and Smith (2015), straight lines between.
   constexpr std::array<unsigned, 11> stops{0x440154, 0x482475, 0x414487, 0x355f8d, 0x2a788e, 0x21918c,

@@ -31,6 +31,13 @@ private:
 /// Multiples of 1, 2 or 5 times a power of ten within the interval, about as many as asked for.
 std::vector<double> round_ticks(const Interval& interval, int about);
 
+/// Ticks of a logarithmic axis: powers of ten within the interval of decimal logarithms, with 2 and 5 times these where
+/// the interval is short. @return decimal logarithms
+std::vector<double> log_ticks(const Interval& logarithms);
+
+/// The label of each tick on a logarithmic axis.
+std::vector<std::string> log_tick_labels(const std::vector<double>& ticks);
+
 /// Labels of those ticks with just the decimals that tell them apart, and a true minus sign.
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 

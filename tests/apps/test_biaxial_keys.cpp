@@ -23,7 +23,7 @@ CaseFile with(std::initializer_list<const char*> settings) {
   for (const char* setting : settings) given.override_with(setting);
   return given;
 }
-BiaxialCase accepted(std::initializer_list<const char*> settings) {
+CheckedCase accepted(std::initializer_list<const char*> settings) {
   return biaxial_case(with(settings), fake_catalogue());
 }
 std::string errors(std::initializer_list<const char*> settings) {
@@ -36,7 +36,7 @@ std::string errors(std::initializer_list<const char*> settings) {
 } // namespace
 
 TEST(BiaxialKeys, DefaultsAreThePapersAndFitToRun) {
-  const BiaxialCase paper = accepted({});
+  const CheckedCase paper = accepted({});
   EXPECT_THAT(paper.warnings, IsEmpty());
   EXPECT_EQ(paper.values.number("specimen.width"), 0.040);
   EXPECT_EQ(paper.values.number("specimen.height"), 0.140);
@@ -132,13 +132,13 @@ TEST(BiaxialCheck, WarnsWhenThePointsAreTooFarApartForTheAverage) {
   EXPECT_THAT(accepted({"grid.cells=[32, 112]"}).warnings, IsEmpty());
 }
 
-TEST(BiaxialCase, TellsErrorsOfSingleAndOfSeveralKeysTogether) {
+TEST(CheckedCase, TellsErrorsOfSingleAndOfSeveralKeysTogether) {
   const std::string text = errors({"scheme=no", "specimen.void_ratio=0.2", "grid.cels=[1, 1]"});
   EXPECT_EQ(std::ranges::count(text, '\n'), 2);
   EXPECT_THAT(text, AllOf(HasSubstr("--set scheme"), HasSubstr("--set specimen.void_ratio: 0.2 is out of range"),
                           HasSubstr("--set grid.cels")));
 }
 
-TEST(BiaxialCase, DrawsNoConclusionFromAWrongKey) {
+TEST(CheckedCase, DrawsNoConclusionFromAWrongKey) {
   EXPECT_EQ(errors({"material.h_s=1 m", "specimen.void_ratio=0.2"}).find("specimen.void_ratio"), std::string::npos);
 }

@@ -31,7 +31,7 @@ TEST(KeyTables, TheHelpStaysWithin120Letters) {
 
 TEST(KeyTables, TheReferenceHasARowForEveryKeyAndEveryLaw) {
   const Catalogue catalogue = fake_catalogue();
-  const std::string text = biaxial_reference(catalogue);
+  const std::string text = input_reference(catalogue);
   for (const Key& key : biaxial_keys(catalogue, "")) { // no such law: the parameters of all
     const std::size_t dot = key.name.find('.');
     const std::string section =

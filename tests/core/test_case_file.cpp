@@ -181,3 +181,19 @@ TEST_F(CaseFiles, TellsWhereAKeyWasGiven) {
   EXPECT_EQ(given.place("specimen.height"), "--set specimen.height");
   EXPECT_EQ(given.place("scheme"), "scheme (default)");
 }
+
+TEST_F(CaseFiles, NumbersTheTablesOfAnArray) {
+  const Keys staged{{"stage.1.speed", 0.0, "m/s", {}, "speed"},
+                    {"stage.2.speed", 0.0, "m/s", {}, "speed"},
+                    {"stage.2.leg.1.speed", 0.0, "m/s", {}, "speed"}};
+  CaseFile given = file("[[stage]]\nspeed = 1\n[[stage]]\nspeed = 2\n[[stage.leg]]\nspeed = 3\n");
+  EXPECT_EQ(given.count("stage"), 2);
+  EXPECT_EQ(given.count("stage.2.leg"), 1);
+  EXPECT_EQ(given.count("stage.1.leg"), 0);
+  EXPECT_EQ(given.count("speed"), 0);
+  given.override_with("stage.1.speed=4");
+  const Values v = given.validate(staged);
+  EXPECT_EQ(v.number("stage.1.speed"), 4);
+  EXPECT_EQ(v.number("stage.2.speed"), 2);
+  EXPECT_EQ(v.number("stage.2.leg.1.speed"), 3);
+}

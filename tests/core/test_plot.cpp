@@ -220,5 +220,21 @@ TEST(FreePlace, AvoidsCurvesAndBoxes) {
   EXPECT_FALSE(free_place(area, 98, 10, 2, {}));
 }
 
+TEST_F(Plots, ALogarithmicAxisPutsEqualFactorsEquallyFarApart) {
+  Plot plot;
+  plot.log_x = true;
+  plot.series = {{"", {0, 1, 10, 1000}, {5, 1, 2, 3}}}; // nothing has the logarithm of 0
+  const std::string text = svg(plot);
+  const auto spots = spots_of(curve_points(text, "#0072b2"));
+  ASSERT_EQ(spots.size(), 3U);
+  EXPECT_NEAR(spots[2].x - spots[1].x, 2 * (spots[1].x - spots[0].x), 0.2);
+  for (const char* label : {">1<", ">10<", ">100<", ">1000<"}) EXPECT_THAT(text, HasSubstr(label));
+}
+
+TEST(Scale, LogarithmicTicksAreFinerOverAShortAxis) {
+  EXPECT_THAT(log_tick_labels(log_ticks({0, 4})), ElementsAre("1", "10", "100", "1000", "10000"));
+  EXPECT_THAT(log_tick_labels(log_ticks({1.2, 2.4})), ElementsAre("20", "50", "100", "200"));
+}
+
 } // namespace
 } // namespace riedel

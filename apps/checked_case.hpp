@@ -1,0 +1,26 @@
+/// A case that has passed its table of keys and the checks that no single key can make.
+#pragma once
+
+#include "core/io/case_file.hpp"
+
+namespace riedel {
+
+/// What one key cannot see: errors stop the run, warnings are told.
+struct Findings {
+  std::vector<Finding> errors, warnings;
+};
+
+/// A case that is fit to run.
+struct CheckedCase {
+  Keys keys;
+  Values values;
+  std::vector<std::string> warnings; ///< each with its place
+};
+
+/// @param check looks at all values together   @throws InputError with a line for everything that is wrong
+CheckedCase checked_case(const CaseFile& given, Keys keys, Findings (*check)(const Values&));
+
+/// For messages: rounded to four digits.
+std::string rounded(double x);
+
+} // namespace riedel

@@ -1,0 +1,171 @@
+/// riedel element: oedometer, triaxial, shear, biaxial, or a path of one's own, at one point or more.
+#include "apps/catalogue.hpp"
+#include "apps/commands.hpp"
+#include "apps/element_drivers.hpp"
+#include "apps/element_keys.hpp"
+#include "apps/element_pictures.hpp"
+#include "apps/incremental_driver.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/messages.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/vary.hpp"
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/case_text.hpp"
+#include "core/io/history.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace riedel {
+
+namespace {
+
+/// One of the cases that a command runs.
+struct Run {
+  Variant variant;
+  CheckedCase checked;
+  std::filesystem::path folder;
+};
+
+std::string test_named(const Arguments& arguments) {
+  const std::vector<std::string>& tests = element_tests();
+  std::string known;
+  for (const std::string& test : tests) known += (known.empty() ? "" : ", ") + test;
+  if (arguments.words.empty()) throw InputError("riedel element needs a test: " + known);
+  const std::string& test = arguments.words.front();
+  if (std::ranges::find(tests, test) == tests.end())
+    throw InputError("unknown element test '" + test + "'; known: " + known);
+  return test;
+}
+
+/// The case file, or the one that --import makes.
+CaseFile given_file(const Arguments& arguments, const std::string& test) {
+  const auto folder = arguments.text("import");
+  if (!folder) return arguments.case_file(1);
+  if (test != "path" || arguments.words.size() > 1)
+    throw InputError("--import gives the whole case of 'riedel element path', without another test or a case file");
+  const auto model = arguments.with_settings(CaseFile::empty()).peek_text("material.model");
+  return arguments.with_settings(import_incremental_driver(*folder, model));
+}
+
+/// The case under the test that the command line names.
+CaseFile given_case(const Arguments& arguments, const std::string& test) {
+  CaseFile given = given_file(arguments, test);
+  if (const auto wish = test_of(given); wish && *wish != test)
+    throw InputError(given.place("test") + ": is \"" + *wish + "\", and the command asks for " + test);
+  given.override_with("test=" + test, "riedel element:");
+  if (const auto driver = arguments.text("driver")) given.override_with("driver.kind=" + *driver, "--driver:");
+  return given;
+}
+
+std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, const Catalogue& catalogue,
+                         const std::filesystem::path& folder) {
+  const auto wishes = arguments.options.find("vary");
+  std::vector<Run> runs;
+  for (Variant& variant :
+       variants_of(given_case(arguments, test),
+                   wishes == arguments.options.end() ? std::vector<std::string>{} : wishes->second)) {
+    CheckedCase checked = element_case(variant.given, catalogue);
+    const std::filesystem::path place = variant.name.empty() ? folder : folder / variant.name;
+    runs.push_back({std::move(variant), std::move(checked), place});
+  }
+  return runs;
+}
+
+void write_summary(const Run& run, const ElementCurve& curve, double wall) {
+  nlohmann::ordered_json all{{"case", "element"},
+                             {"test", curve.test},
+                             {"version", version()},
+                             {"driver", run.checked.values.text("driver.kind")},
+                             {"material", run.checked.values.text("material.model")}};
+  all.update(element_summary(curve));
+  all["wall_s"] = wall;
+  write_atomically(run.folder / "summary.json", all.dump(2) + "\n");
+}
+
+/// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
+ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt, bool imported) {
+  const Values& values = run.checked.values;
+  const std::string& test = values.text("test");
+  write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
+  const auto start = std::chrono::steady_clock::now();
+  History history(run.folder / "element.csv", element_columns(test));
+  std::optional<IncrementalOutput> output;
+  const auto write_row = [&](const ElementRow& row, const LawPoint& point) {
+    history.add(element_numbers(row, test));
+    if (imported && !output) output.emplace(run.folder / "output.txt", point.state.size());
+    if (output) output->add(point);
+  };
+  const ElementWatch watch{.at_row = write_row, .stop = [&] { return static_cast<bool>(interrupt); }};
+  ElementCurve curve = element_driver(values).run(values, catalogue, watch);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  write_summary(run, curve, wall.count());
+  return curve;
+}
+
+void print_result(const NamedCurve& named) {
+  const ElementCurve& curve = named.curve;
+  const auto peak = std::ranges::max_element(curve.rows, {}, &ElementRow::phi_mob);
+  const ElementRow& last = curve.rows.back();
+  const bool shear = curve.test == "shear";
+  std::printf("%s%speak %.2f deg at %s = %.2f %%, end %.2f deg, e = %.4f, sigma_1 = %.4g kPa at %.2f %%\n",
+              named.label.c_str(), named.label.empty() ? "" : ": ", peak->phi_mob, shear ? "gamma" : "eps_1",
+              100 * (shear ? peak->gamma : peak->eps[0]), last.phi_mob, last.void_ratio, 1e-3 * last.sigma[0],
+              100 * (shear ? last.gamma : last.eps[0]));
+}
+
+/// Behind the test's name in a title: the law, and the void ratio and the pressure unless they are varied.
+std::string subject_of(const Run& run) {
+  const Values& values = run.checked.values;
+  const auto fixed = [&](const std::string& key) {
+    return values.has(key) && run.variant.label.find(key.substr(key.rfind('.') + 1)) == std::string::npos;
+  };
+  std::string subject = ", " + values.text("material.model");
+  if (fixed("specimen.void_ratio")) subject += ", e₀ = " + short_text(values.number("specimen.void_ratio"));
+  for (const auto& [key, symbol] : {std::pair{"loading.confining_pressure", "σ_c"}, {"loading.normal_stress", "σ_n"}})
+    if (fixed(key)) subject += std::string(", ") + symbol + " = " + short_text(1e-3 * values.number(key)) + " kPa";
+  return subject;
+}
+
+void print_files(const std::filesystem::path& folder, bool several, const std::vector<std::string>& pictures) {
+  std::printf("written to %s: %scase.toml, element.csv, summary.json", folder.c_str(), several ? "folders with " : "");
+  for (const std::string& name : pictures) std::printf(", %s", name.c_str());
+  std::printf("\n");
+}
+
+} // namespace
+
+int element(const Arguments& arguments) {
+  const Catalogue catalogue = full_catalogue();
+  const std::string test = test_named(arguments);
+  const std::filesystem::path folder = arguments.out("results/element/" + test);
+  const std::vector<Run> runs = runs_of(arguments, test, catalogue, folder);
+  std::optional<Overlay> overlay;
+  if (const auto path = arguments.text("reference")) overlay = read_overlay(*path, test);
+
+  prepare_output_folder(folder, arguments.force());
+  for (const Run& run : runs) prepare_output_folder(run.folder, arguments.force());
+  const Interrupt interrupt;
+  std::vector<NamedCurve> curves;
+  int code = 0;
+  for (const Run& run : runs) {
+    curves.push_back({run.variant.label, carry_out(run, catalogue, interrupt, arguments.has("import"))});
+    const ElementCurve& curve = curves.back().curve;
+    print_result(curves.back());
+    if (!curve.failure.empty()) {
+      print_error((run.variant.label.empty() ? "" : run.variant.label + ": ") + curve.failure);
+      code = 3;
+    }
+    if (interrupt) break;
+  }
+  std::vector<std::string> pictures;
+  if (runs.front().checked.values.flag("output.plots"))
+    pictures = draw_element(curves, overlay, subject_of(runs.front()), folder);
+  print_files(folder, runs.size() > 1, pictures);
+  return interrupt ? interrupt.exit_code() : code;
+}
+
+} // namespace riedel

@@ -1,0 +1,46 @@
+/// What an element test gives, whichever driver carried it out: a row per output, and how it ended.
+#pragma once
+
+#include "materials/law_point.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+namespace riedel {
+
+/// Compression is positive; 1 is the direction of loading. In the shear test 1 is the direction of shear and 2 the
+/// normal to the sheared planes.
+struct ElementRow {
+  std::array<double, 3> eps{};   ///< change of length over initial length [-]
+  double gamma = 0.0;            ///< u/h0 of planes normal to 2 along 1 [-]
+  std::array<double, 3> sigma{}; ///< Cauchy [Pa]
+  double tau = 0.0;              ///< [Pa]
+  double void_ratio = 0.0;       ///< [-]
+  double phi_mob = 0.0;          ///< mobilised angle of friction [deg]
+  double phi_principal = 0.0;    ///< asin((σ_I − σ_III)/(σ_I + σ_III)) [deg]
+};
+
+struct ElementCurve {
+  std::string test;
+  std::vector<ElementRow> rows;
+  std::string failure; ///< why the test stopped early; empty: it did not
+  bool interrupted = false;
+  std::int64_t steps = 0;
+  MaterialReport report;
+};
+
+/// What phi_mob is: that of the principal stresses; asin((σ_1 − σ_2)/(σ_1 + σ_2)), which leaves out the stress out of
+/// the plane of a biaxial test; or atan(τ/σ_2), that of the sheared planes.
+enum class Friction { principal, in_plane, on_planes };
+
+ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction);
+
+/// Header of element.csv: ends with phi_principal_deg in the shear test.
+std::vector<std::string> element_columns(const std::string& test);
+std::vector<double> element_numbers(const ElementRow& row, const std::string& test);
+
+/// The keys of summary.json that follow from the curve.
+nlohmann::ordered_json element_summary(const ElementCurve& curve);
+
+} // namespace riedel

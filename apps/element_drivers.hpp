@@ -1,0 +1,30 @@
+/// Who carries out an element test: from a validated case to a curve.
+#pragma once
+
+#include "apps/element_curve.hpp"
+#include "core/interface/catalogue.hpp"
+
+namespace riedel {
+
+/// What a driver tells, and asks, on its way.
+struct ElementWatch {
+  std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
+  std::function<bool()> stop;                                     ///< asked after each step
+};
+
+/// A driver returns what came out, also when the material could not follow: then `failure` says why.
+struct ElementDriver {
+  std::string name, summary;
+  ElementCurve (*run)(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+};
+
+/// A line each.
+const std::vector<ElementDriver>& element_drivers();
+std::vector<std::string> element_driver_names();
+/// The driver that `driver.kind` names.
+const ElementDriver& element_driver(const Values& values);
+
+/// One point under mixed control.
+ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+
+} // namespace riedel

@@ -1,0 +1,57 @@
+/// The path that an element test leads a point along: stages, each a number of legs that may be repeated.
+#pragma once
+
+#include "apps/element_curve.hpp"
+#include "apps/element_measures.hpp"
+#include "core/base/parameters.hpp"
+
+#include <optional>
+
+namespace riedel {
+
+/// "p < 20 kPa": what ends a stage early.
+struct Stop {
+  const Measure* measure;
+  bool above; ///< ends when the measure is above the limit, or else below
+  double limit;
+
+  [[nodiscard]] bool reached(const LawPoint& point) const {
+    return above ? measure->of(point) > limit : measure->of(point) < limit;
+  }
+};
+/// @throws InputError that says what is allowed
+Stop parse_stop(const std::string& text);
+
+/// What a measure becomes at the end of a leg; no target: it stays as it is.
+struct Prescription {
+  const Measure* measure;
+  std::optional<double> target;
+};
+
+struct PathLeg {
+  std::vector<Prescription> prescriptions; ///< six
+  bool relative = false;                   ///< targets are changes from the start of the leg
+  double duration = 1.0;                   ///< [s]
+  bool spin = true;                        ///< shears turn the normals of the sheared planes
+};
+
+struct PathStage {
+  std::string name;
+  std::vector<PathLeg> legs;
+  std::int64_t repeat = 1;
+  std::optional<Stop> until = {};
+};
+
+struct ElementPath {
+  Sym<double> stress; ///< at the start, tension positive [Pa]
+  std::vector<PathStage> stages;
+  Friction friction = Friction::principal; ///< what phi_mob is
+};
+
+/// The leg for a point that stands at its start.
+Leg leg_from(const PathLeg& leg, const LawPoint& point);
+
+/// The path of a validated element case.
+ElementPath element_path(const Values& values);
+
+} // namespace riedel

@@ -1,0 +1,104 @@
+#include "apps/element_pictures.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/plot.hpp"
+
+#include <algorithm>
+
+namespace riedel {
+
+namespace {
+
+/// A column of element.csv as an axis shows it.
+struct Axis {
+  std::string column, label;
+  double unit = 1.0; ///< what the column is multiplied by
+};
+
+struct PictureOf {
+  std::string file;
+  Axis x, y;
+  bool log_x = false;
+};
+
+const Axis eps_1{"eps_1", "vertical strain ε₁ [%]", 100.0}, gamma_u{"gamma", "shear strain γ = u/h₀ [%]", 100.0};
+const Axis sigma_1{"sigma_1_Pa", "vertical stress σ₁ [kPa]", 1e-3}, tau{"tau_Pa", "shear stress τ [kPa]", 1e-3};
+const Axis phi{"phi_mob_deg", "mobilised friction angle φ [°]"}, e{"void_ratio", "void ratio e [-]"};
+
+std::vector<PictureOf> pictures_of(const std::string& test) {
+  const PictureOf stress_strain{"stress_strain.png", eps_1, sigma_1};
+  const PictureOf compression{"compression.png", sigma_1, e, true};
+  if (test == "oedometer") return {stress_strain, compression};
+  if (test == "shear")
+    return {{"friction.png", gamma_u, phi}, {"void_ratio.png", gamma_u, e}, {"stress_strain.png", gamma_u, tau}};
+  std::vector<PictureOf> all{stress_strain, {"friction.png", eps_1, phi}, {"void_ratio.png", eps_1, e}, compression};
+  if (test == "path") all.push_back({"shear.png", gamma_u, tau});
+  return all;
+}
+
+std::string title_of(const std::string& test) {
+  if (test == "oedometer") return "Oedometric compression";
+  if (test == "triaxial") return "Triaxial compression";
+  if (test == "shear") return "Simple shear with free dilatancy";
+  return test == "biaxial" ? "Plane strain compression" : "Path";
+}
+
+std::vector<double> scaled(std::vector<double> values, double unit) {
+  for (double& value : values) value *= unit;
+  return values;
+}
+
+std::vector<double> column_of(const ElementCurve& curve, const Axis& axis) {
+  const std::vector<std::string> names = element_columns(curve.test);
+  const auto index = static_cast<std::size_t>(std::ranges::find(names, axis.column) - names.begin());
+  std::vector<double> values;
+  for (const ElementRow& row : curve.rows) values.push_back(axis.unit * element_numbers(row, curve.test)[index]);
+  return values;
+}
+
+bool changes_across(const Series& series) {
+  return std::ranges::any_of(series.x, [&](double x) { return x != series.x.front(); });
+}
+
+bool shows(const PictureOf& picture, const Table& table) {
+  return table.has(picture.x.column) && table.has(picture.y.column);
+}
+
+} // namespace
+
+std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                      const std::string& subject, const std::filesystem::path& folder) {
+  const std::string test = curves.front().curve.test;
+  std::vector<std::string> names;
+  for (const PictureOf& picture : pictures_of(test)) {
+    Plot plot{.title = title_of(test) + subject,
+              .x_label = picture.x.label,
+              .y_label = picture.y.label,
+              .series = {},
+              .log_x = picture.log_x};
+    for (const auto& [label, curve] : curves)
+      plot.series.push_back({.label = label, .x = column_of(curve, picture.x), .y = column_of(curve, picture.y)});
+    if (std::ranges::none_of(plot.series, changes_across)) continue; // no shear in a path without shear
+    if (overlay && shows(picture, overlay->table))
+      plot.series.push_back({.label = overlay->label,
+                             .x = scaled(overlay->table[picture.x.column], picture.x.unit),
+                             .y = scaled(overlay->table[picture.y.column], picture.y.unit),
+                             .style = Style::dots,
+                             .color = black});
+    write_png(folder / picture.file, plot);
+    names.push_back(picture.file);
+  }
+  return names;
+}
+
+Overlay read_overlay(const std::filesystem::path& path, const std::string& test) {
+  Overlay overlay{.label = path.filename().string(), .table = read_table(path)};
+  std::string wanted;
+  for (const PictureOf& picture : pictures_of(test)) {
+    if (shows(picture, overlay.table)) return overlay;
+    wanted += (wanted.empty() ? "" : "; or ") + picture.x.column + " and " + picture.y.column;
+  }
+  throw InputError(path.string() + ":1:1: has none of the pairs of columns that a picture shows: " + wanted);
+}
+
+} // namespace riedel

@@ -1,0 +1,31 @@
+/// The pictures of element tests.
+#pragma once
+
+#include "apps/element_curve.hpp"
+#include "core/io/table.hpp"
+
+#include <optional>
+
+namespace riedel {
+
+/// A curve with its name in the legend; empty: no legend.
+struct NamedCurve {
+  std::string label;
+  ElementCurve curve;
+};
+
+/// What every picture shows beside the curves: a measured one, say.
+struct Overlay {
+  std::string label;
+  Table table; ///< columns named as in element.csv
+};
+
+/// @param curves of one test   @param subject behind the test's name in the title
+/// @return the names of the files, PNG; pictures for which the overlay has no columns leave it out
+std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                      const std::string& subject, const std::filesystem::path& folder);
+
+/// @throws InputError when the file has no pair of columns that a picture of the test shows
+Overlay read_overlay(const std::filesystem::path& path, const std::string& test);
+
+} // namespace riedel

@@ -1,0 +1,56 @@
+#include "apps/input_lines.hpp"
+
+#include "core/base/error.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+namespace riedel {
+
+InputLines::InputLines(const std::filesystem::path& path) : path_(path), file_(path) {
+  if (!file_ || std::filesystem::is_directory(path)) throw InputError(path.string() + ": cannot be read");
+}
+
+std::string InputLines::place() const { return path_.string() + ":" + std::to_string(number_) + ":"; }
+
+void InputLines::refuse(const std::string& why) const { throw InputError(place() + " " + why); }
+
+bool InputLines::next(std::string& line) {
+  while (std::getline(file_, line)) {
+    ++number_;
+    if (line.find_first_not_of(" \t\r") != std::string::npos) return true;
+  }
+  return false;
+}
+
+std::string InputLines::word(const std::string& what) {
+  std::string line, first;
+  if (!next(line)) refuse("the file ends where " + what + " should stand");
+  std::istringstream(line) >> first;
+  return first;
+}
+
+std::vector<double> InputLines::numbers(std::size_t count, const std::string& what) {
+  std::string line;
+  if (!next(line)) refuse("the file ends where " + what + " should stand");
+  std::ranges::replace(line, ',', ' ');
+  std::istringstream words(line);
+  std::vector<double> all;
+  for (std::string text; all.size() < count && words >> text;) all.push_back(number_in(text, what));
+  if (all.size() < count) refuse("needs " + what);
+  return all;
+}
+
+double InputLines::number_in(std::string text, const std::string& what) const {
+  const std::string given = text;
+  std::ranges::replace_if(
+      text, [](char c) { return c == 'd' || c == 'D'; }, 'e'); // as Fortran writes 1.0d0
+  double x = 0.0;
+  const char* start = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(start, text.data() + text.size(), x);
+  if (error != std::errc{} || end != text.data() + text.size()) refuse("'" + given + "' is no number; needs " + what);
+  return x;
+}
+
+} // namespace riedel

@@ -1,0 +1,35 @@
+/// A file of lines that begin with numbers or with a word; what follows is a comment.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace riedel {
+
+class InputLines {
+public:
+  /// @throws InputError when the file cannot be read
+  explicit InputLines(const std::filesystem::path& path);
+
+  [[nodiscard]] std::string place() const;                ///< of the last line read: "test.inp:12:"
+  [[noreturn]] void refuse(const std::string& why) const; ///< throws InputError with the place
+
+  /// The next line that is not empty. @return whether there was one
+  bool next(std::string& line);
+  /// The first word of the next line. @param what names it, should it be missing
+  std::string word(const std::string& what);
+  /// The first numbers of the next line, 1.0d0 among them. @param what names them, should they be missing
+  std::vector<double> numbers(std::size_t count, const std::string& what);
+  double number(const std::string& what) { return numbers(1, what).front(); }
+
+private:
+  [[nodiscard]] double number_in(std::string text, const std::string& what) const;
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  int number_ = 0; ///< of the last line read
+};
+
+} // namespace riedel

@@ -1,0 +1,60 @@
+#include "apps/material_keys.hpp"
+
+#include "apps/checked_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace riedel {
+
+namespace {
+
+void append_parameters(Keys& keys, const Description& law) {
+  for (Key key : law.parameters) {
+    key.name = "material." + key.name;
+    if (std::ranges::find(keys, key.name, &Key::name) == keys.end()) keys.push_back(std::move(key));
+  }
+}
+
+bool has_parameters(const Values& values, std::initializer_list<const char*> names) {
+  return std::ranges::all_of(names, [&](const char* name) { return values.has(std::string("material.") + name); });
+}
+
+} // namespace
+
+void append(Keys& keys, const Keys& more) { keys.insert(keys.end(), more.begin(), more.end()); }
+
+std::string model_of(const CaseFile& given) {
+  return given.peek_text("material.model").value_or(std::string(paper_model));
+}
+
+void append_material(Keys& keys, const Catalogue& catalogue, std::string_view model) {
+  keys.push_back(
+      {"material.model", std::string(paper_model), "", {}, "law of the material", catalogue.materials.names()});
+  const bool known = catalogue.materials.known(model);
+  for (const auto& law : catalogue.materials.entries())
+    if (!known || law.description.name == model) append_parameters(keys, law.description);
+}
+
+void check_void_ratio(const Values& v, const std::string& key, const StartPressure& start,
+                      std::vector<Finding>& errors) {
+  if (!has_parameters(v, {"e_d0", "e_i0", "h_s", "n"})) return;
+  const double shrink = std::exp(-std::pow(3.0 * start.p / v.number("material.h_s"), v.number("material.n")));
+  const double e_d = v.number("material.e_d0") * shrink, e_i = v.number("material.e_i0") * shrink;
+  const double e_0 = v.number(key);
+  if (e_0 > e_d && e_0 <= e_i) return;
+  errors.push_back({{key, start.key, "material.e_d0", "material.e_i0", "material.h_s", "material.n"},
+                    exact_text(e_0) + " is out of range; the law allows (" + rounded(e_d) + ", " + rounded(e_i) +
+                        "] at the " + start.name});
+}
+
+void check_limits_of_void_ratio(const Values& v, std::vector<Finding>& errors) {
+  if (!has_parameters(v, {"e_d0", "e_c0", "e_i0"})) return;
+  const double e_d0 = v.number("material.e_d0"), e_c0 = v.number("material.e_c0"), e_i0 = v.number("material.e_i0");
+  if (e_d0 < e_c0 && e_c0 < e_i0) return;
+  errors.push_back(
+      {{"material.e_c0", "material.e_d0", "material.e_i0"},
+       exact_text(e_c0) + " does not lie between e_d0 = " + exact_text(e_d0) + " and e_i0 = " + exact_text(e_i0)});
+}
+
+} // namespace riedel

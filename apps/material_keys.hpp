@@ -1,0 +1,33 @@
+/// The keys of a case's material, and what its void ratios must obey.
+#pragma once
+
+#include "core/interface/catalogue.hpp"
+#include "core/io/case_file.hpp"
+
+namespace riedel {
+
+/// The law of the paper.
+inline constexpr std::string_view paper_model = "gudehus_bauer";
+
+/// The law that a case names, the paper's if it names none.
+std::string model_of(const CaseFile& given);
+
+/// Appends `material.model` and the law's parameters as `material.<name>`.
+/// @param model for an unknown law, the parameters of all laws are appended, so that the law's name is the only error
+void append_material(Keys& keys, const Catalogue& catalogue, std::string_view model);
+void append(Keys& keys, const Keys& more);
+
+/// e_d0 < e_c0 < e_i0, of laws that have such parameters.
+void check_limits_of_void_ratio(const Values& values, std::vector<Finding>& errors);
+/// A mean pressure p [Pa], the key that gives it, and what messages call it.
+struct StartPressure {
+  double p;
+  std::string key, name;
+};
+/// e_d < e0 ≤ e_i at a pressure, where e_i = e_i0 exp[−(3 p/h_s)^n] and e_d likewise, of laws that have such
+/// parameters.
+/// @param key the void ratio's
+void check_void_ratio(const Values& values, const std::string& key, const StartPressure& start,
+                      std::vector<Finding>& errors);
+
+} // namespace riedel

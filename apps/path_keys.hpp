@@ -1,0 +1,22 @@
+/// The keys of a path: what each [[stage]] and each [[stage.leg]] may say.
+#pragma once
+
+#include "apps/checked_case.hpp"
+
+namespace riedel {
+
+inline constexpr std::string_view free_word = "free"; ///< of a measure that a stage does not prescribe
+inline constexpr std::string_view hold_word = "hold"; ///< of one that stays as it is
+
+std::string stage_prefix(int stage);        ///< "stage.1."
+std::string leg_prefix(int stage, int leg); ///< "stage.1.leg.2."
+
+Keys stage_keys(const std::string& prefix);
+Keys leg_keys(const std::string& prefix);
+/// Keys for as many stages and legs as the case has.
+Keys path_keys(const CaseFile& given);
+
+/// Six conditions in each leg, limits that can be read, at least one stage.
+void check_path(const Values& values, std::vector<Finding>& errors);
+
+} // namespace riedel

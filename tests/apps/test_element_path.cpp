@@ -1,0 +1,130 @@
+/// Keys of element tests, and the paths that they become.
+#include "apps/element_keys.hpp"
+#include "apps/element_path.hpp"
+#include "apps/vary.hpp"
+#include "core/base/error.hpp"
+#include "core/io/case_text.hpp"
+#include "support/problems.hpp"
+#include "temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+namespace riedel::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ElementPaths : public testing::Test {
+protected:
+  [[nodiscard]] CheckedCase checked(const std::string& text) const {
+    return element_case(CaseFile::read(folder_.file("case.toml", text)), catalogue());
+  }
+  [[nodiscard]] ElementPath path(const std::string& text) const { return element_path(checked(text).values); }
+  [[nodiscard]] std::string errors(const std::string& text) const {
+    try {
+      (void)checked(text);
+    } catch (const InputError& error) { return error.what(); }
+    return "no error";
+  }
+  TemporaryFolder folder_;
+};
+
+/// "eps_1=0.1" or "sigma_2" where it is held.
+std::vector<std::string> words(const PathLeg& leg) {
+  std::vector<std::string> all;
+  for (const auto& [measure, target] : leg.prescriptions)
+    all.push_back(measure->name + (target ? "=" + short_text(*target) : ""));
+  return all;
+}
+
+TEST_F(ElementPaths, TheTestsOfThePaperAreWhatTheirNamesSay) {
+  EXPECT_THAT(words(path("test = 'triaxial'").stages[0].legs[0]),
+              ElementsAre("gamma", "gamma_13", "gamma_23", "eps_1=0.3", "sigma_2", "sigma_3"));
+  EXPECT_THAT(words(path("test = 'biaxial'").stages[0].legs[0]),
+              ElementsAre("gamma", "gamma_13", "gamma_23", "eps_1=0.06", "sigma_2", "eps_3"));
+  EXPECT_THAT(words(path("test = 'oedometer'").stages[0].legs[0]),
+              ElementsAre("gamma", "gamma_13", "gamma_23", "eps_1=0.06", "eps_2", "eps_3"));
+  EXPECT_THAT(words(path("test = 'shear'").stages[0].legs[0]),
+              ElementsAre("gamma=0.5", "gamma_13", "gamma_23", "eps_1", "sigma_2", "eps_3"));
+  EXPECT_EQ(path("test = 'shear'").stress.m[1], -200e3);
+  EXPECT_EQ(path("test = 'oedometer'").stress.m[2], -1e3);
+}
+
+TEST_F(ElementPaths, LegsTakeWhatTheirStageSaysAndCanSayOtherwise) {
+  const ElementPath given = path("test = 'path'\n[[stage]]\nrepeat = 7\nuntil = 'q > 30 kPa'\nsigma_1 = 'hold'\n"
+                                 "sigma_2 = 'hold'\neps_3 = 'hold'\n[[stage.leg]]\ngamma = 0.01\n[[stage.leg]]\n"
+                                 "tau = '-5 kPa'\nsigma_2 = '90 kPa'\n");
+  ASSERT_EQ(given.stages.size(), 1U);
+  const PathStage& stage = given.stages[0];
+  EXPECT_EQ(stage.repeat, 7);
+  EXPECT_EQ(stage.name, "stage 1");
+  EXPECT_TRUE(stage.until->above);
+  EXPECT_EQ(stage.until->limit, 30e3);
+  ASSERT_EQ(stage.legs.size(), 2U);
+  EXPECT_THAT(words(stage.legs[0]), ElementsAre("eps_3", "gamma=0.01", "sigma_1", "sigma_2", "gamma_13", "gamma_23"));
+  EXPECT_THAT(words(stage.legs[1]),
+              ElementsAre("eps_3", "sigma_1", "sigma_2=9e+04", "tau=-5e+03", "gamma_13", "gamma_23"));
+}
+
+TEST_F(ElementPaths, RelativeTargetsAreChanges) {
+  const PathLeg leg = path("test = 'path'\n[[stage]]\nrelative = true\neps_1 = 0.01\nsigma_2 = 'hold'\nsigma_3 = 5e3\n")
+                          .stages[0]
+                          .legs[0];
+  LawPoint point{.stress = -100e3 * Sym<double>::identity()};
+  point.F(0, 0) = 0.98;
+  const Leg absolute = leg_from(leg, point);
+  const auto target = [&](const char* name) {
+    return std::ranges::find(absolute.conditions, name, &Condition::name)->target;
+  };
+  EXPECT_NEAR(target("eps_1"), 0.03, 1e-15);
+  EXPECT_NEAR(target("sigma_2"), 100e3, 1e-9);
+  EXPECT_NEAR(target("sigma_3"), 105e3, 1e-9);
+}
+
+TEST_F(ElementPaths, TellsWhereALegHasTooFewConditionsOrALimitIsNone) {
+  const std::string start = "test = 'path'\n[[stage]]\neps_1 = 0.1\nsigma_2 = 'hold'\n";
+  EXPECT_THAT(errors(start), HasSubstr("case.toml:3:9: stage.1.eps_1: a leg needs six conditions, and this one has 5"));
+  EXPECT_THAT(errors(start + "sigma_3 = 1\neps_3 = 0\n"), HasSubstr("this one has 7"));
+  EXPECT_THAT(errors(start + "sigma_3 = 1\nuntil = 'phi > 3'\n"),
+              HasSubstr("case.toml:6:9: stage.1.until: unknown measure 'phi' (did you mean 'phi_mob'?)"));
+  EXPECT_THAT(errors(start + "sigma_3 = 1\nuntil = 'soon'\n"), HasSubstr("such as \"p < 20 kPa\""));
+  EXPECT_THAT(errors(start + "sigma_3 = 'keep'\n"),
+              testing::EndsWith(
+                  "case.toml:5:11: stage.1.sigma_3: 'keep' is not a number with a unit; allowed: free, hold, or a "
+                  "number in Pa, or a text with a unit (Pa, kPa, MPa, GPa, bar)"));
+  EXPECT_EQ(errors(start + "sigma_3 = 'hold'\n"), "no error");
+}
+
+TEST_F(ElementPaths, TheResolvedCaseIsAFixedPoint) {
+  const CheckedCase once = checked("test = 'path'\n[[stage]]\neps_1 = 0.1\nsigma_2 = 'hold'\nsigma_3 = 'hold'\n");
+  const std::string text = case_text(once.keys, once.values);
+  const CheckedCase again = checked(text);
+  EXPECT_EQ(case_text(again.keys, again.values), text);
+  EXPECT_EQ(text.find("free\n"), std::string::npos);
+}
+
+/// Every example of a path in the documentation is one.
+TEST_F(ElementPaths, ThoseOfTheDocumentationAreFitToRun) {
+  const std::string text = file_content(SOURCE_DIR "/docs/howto/element_paths.md");
+  int examples = 0;
+  for (std::size_t at = text.find("```toml\n"); at != std::string::npos;
+       at = text.find("```toml\n", at + 1), ++examples) {
+    const std::size_t start = at + std::string("```toml\n").size();
+    EXPECT_EQ(errors("test = 'path'\n" + text.substr(start, text.find("```", start) - start)), "no error");
+  }
+  EXPECT_EQ(examples, 5);
+}
+
+TEST(Vary, CrossesItsWishes) {
+  const auto all = variants_of(CaseFile::empty(), {"a.x=1,2", "b=[1,2],[3,4]"});
+  std::vector<std::string> names;
+  for (const Variant& variant : all) names.push_back(variant.name);
+  EXPECT_THAT(names, ElementsAre("x=1,b=[1,2]", "x=1,b=[3,4]", "x=2,b=[1,2]", "x=2,b=[3,4]"));
+  EXPECT_EQ(all[1].label, "x = 1, b = [3,4]");
+  EXPECT_EQ(variants_of(CaseFile::empty(), {}).size(), 1U);
+  for (const char* wrong : {"a", "a=", "=1"}) EXPECT_THROW((void)variants_of(CaseFile::empty(), {wrong}), InputError);
+}
+
+} // namespace
+} // namespace riedel::test
