@@ -2,6 +2,7 @@
 
 #include "materials/gudehus_bauer.hpp"
 #include "materials/linear_elastic.hpp"
+#include "materials/neo_hookean.hpp"
 
 namespace riedel {
 
@@ -20,6 +21,7 @@ void register_materials(Materials& materials) {
   add<LinearElastic>(materials, "Hooke's law in rates", "");
   add<GudehusBauer>(materials, "hypoplastic sand, local or non-local (averages rate_norm)",
                     "Gudehus (1996), Bauer (1996)");
+  add<NeoHookean>(materials, "elasticity at finite strain, from an energy", "Simo & Pister (1984)");
 }
 
 } // namespace riedel
