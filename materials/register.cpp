@@ -1,7 +1,9 @@
 #include "materials/register.hpp"
 
+#include "materials/drucker_prager.hpp"
 #include "materials/gudehus_bauer.hpp"
 #include "materials/linear_elastic.hpp"
+#include "materials/mohr_coulomb.hpp"
 #include "materials/neo_hookean.hpp"
 
 namespace riedel {
@@ -22,6 +24,9 @@ void register_materials(Materials& materials) {
   add<GudehusBauer>(materials, "hypoplastic sand, local or non-local (averages rate_norm)",
                     "Gudehus (1996), Bauer (1996)");
   add<NeoHookean>(materials, "elasticity at finite strain, from an energy", "Simo & Pister (1984)");
+  add<MohrCoulomb>(materials, "elastic, with friction and cohesion; softening local or by averaged plastic_strain",
+                   "Clausen, Damkilde & Andersen (2006), de Souza Neto, Perić & Owen (2008)");
+  add<DruckerPrager>(materials, "the same on a smooth cone", "Drucker & Prager (1952)");
 }
 
 } // namespace riedel
