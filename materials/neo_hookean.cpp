@@ -24,7 +24,7 @@ Sym<double> NeoHookean::stretch_under(const Sym<double>& sigma) const {
   const auto stretch = [&](double x) -> Vec<3> {
     return one + (std::exp(x) * principal.values - solid_.lambda * x * one) / solid_.mu; // (5)
   };
-  double x = 0.0;
+  double x = 0.0; // or, where b would not be positive, a stronger compression
   while (!(stretch(x).minCoeff() > 0.0) && x > -10.0) x -= 0.5;
   for (int step = 0; step < most_steps; ++step) {
     const Vec<3> b = stretch(x);
@@ -32,9 +32,9 @@ Sym<double> NeoHookean::stretch_under(const Sym<double>& sigma) const {
     const double f = b.array().log().sum() - 2.0 * x, df = (slope.array() / b.array()).sum() - 2.0; // (6)
     if (!(df < 0.0)) break; // beyond the greatest stress that the material bears
     double change = -f / df;
+    if (std::abs(change) <= 1e-14) return composed(b, principal.directions);
     while (!(stretch(x + change).minCoeff() > 0.0) && std::abs(change) > 1e-14) change *= 0.5;
     x += change;
-    if (std::abs(change) <= 1e-14) return composed(stretch(x), principal.directions);
   }
   return std::numeric_limits<double>::quiet_NaN() * Sym<double>::identity();
 }
