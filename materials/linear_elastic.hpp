@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/interface/elastic_solid.hpp"
 #include "core/interface/rate_law.hpp"
 
 namespace riedel {
@@ -15,17 +16,17 @@ public:
 
   template <class Real>
   Rate<Real, 0> rate(const Sym<Real>&, const std::array<Real, 0>&, const Sym<Real>& D, Real) const {
-    return {.stress = Real(2.0 * mu_) * D + (Real(lambda_) * trace(D)) * Sym<Real>::identity(), .state = {}};
+    return {.stress = solid_.stress(D), .state = {}};
   }
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return {}; }
-  [[nodiscard]] double density(std::span<const double>) const override { return density_; }
+  [[nodiscard]] double density(std::span<const double>) const override { return solid_.density; }
   [[nodiscard]] Survey survey(const MaterialBatch&) const override {
-    return {.wave_speed = std::sqrt((lambda_ + 2.0 * mu_) / density_)};
+    return {.wave_speed = std::sqrt(solid_.longitudinal() / solid_.density)};
   }
 
 private:
-  double lambda_, mu_, density_;
+  ElasticSolid solid_;
 };
 
 } // namespace riedel

@@ -1,8 +1,11 @@
 #include "materials/register.hpp"
 
+#include "materials/drucker_prager.hpp"
 #include "materials/gudehus_bauer.hpp"
 #include "materials/intergranular_strain.hpp"
 #include "materials/linear_elastic.hpp"
+#include "materials/mohr_coulomb.hpp"
+#include "materials/neo_hookean.hpp"
 #include "materials/von_wolffersdorff.hpp"
 
 namespace riedel {
@@ -44,6 +47,10 @@ void register_materials(Materials& materials) {
       materials,
       "hypoplastic sand with the critical states of Matsuoka and Nakai, local or non-local (averages rate_norm)",
       "von Wolffersdorff (1996); intergranular strain: Niemunis & Herle (1997)");
+  add<NeoHookean>(materials, "elasticity at finite strain, from an energy", "Simo & Pister (1984)");
+  add<MohrCoulomb>(materials, "elastic, with friction and cohesion; softening local or by averaged plastic_strain",
+                   "Clausen, Damkilde & Andersen (2006), de Souza Neto, Perić & Owen (2008)");
+  add<DruckerPrager>(materials, "the same on a smooth cone", "Drucker & Prager (1952)");
 }
 
 } // namespace riedel

@@ -93,7 +93,7 @@ std::string exact_text(double x) {
 
 void check_bounds(const Keys& keys, const Values& values, std::string_view owner) {
   for (const Key& key : keys) {
-    if (!std::holds_alternative<double>(key.default_value)) continue;
+    if (!key.takes_number() || values.is_text(key.name)) continue;
     const double x = values.number(key.name);
     if (!key.bounds.contain(x))
       throw InputError(std::string(owner) + ": " + key.name + " = " + bound_text(x) + " is out of range; allowed: " +

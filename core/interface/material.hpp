@@ -38,6 +38,7 @@ struct MaterialReport {
   std::string_view reason{}; ///< why the first one failed
 
   void add(const MaterialReport& other, Index offset);
+  void fail(Index point, std::string_view why); ///< counts a point that could not be integrated
 };
 
 /// The state of a block as the time step and the run's report need it.
@@ -80,6 +81,10 @@ inline void MaterialReport::add(const MaterialReport& other, Index offset) {
     reason = other.reason;
   }
   failures += other.failures;
+}
+
+inline void MaterialReport::fail(Index point, std::string_view why) {
+  if (failures++ == 0) first_failure = point, reason = why;
 }
 
 /// Number of columns that the variables take.

@@ -118,5 +118,15 @@ TEST(CheckBounds, NamesOwnerKeyValueRangeAndUnit) {
                                               HasSubstr("> 0"), HasSubstr("Pa"))));
 }
 
+TEST(CheckBounds, LooksAtANumberInThePlaceOfAWordToo) {
+  const Keys step{{"step", "auto", "s", more_than(0), "", {"auto"}}};
+  Values values(step);
+  EXPECT_NO_THROW(check_bounds(step, values, "law"));
+  values.set("step", 1e-3);
+  EXPECT_NO_THROW(check_bounds(step, values, "law"));
+  values.set("step", -1.0);
+  EXPECT_THAT([&] { check_bounds(step, values, "law"); }, ThrowsMessage<InputError>(HasSubstr("step = -1")));
+}
+
 } // namespace
 } // namespace riedel::test

@@ -42,12 +42,13 @@ struct LawBench {
     state.resize(size);
   }
   void put(Index p, const Sym<double>& sigma, double void_ratio, const Sym<double>& D) {
-    for (std::size_t c = 0; c < 6; ++c) {
-      stress[static_cast<int>(c)][p] = sigma.m[c];
-      rate[static_cast<int>(c)][p] = D.m[c];
-    }
+    for (std::size_t c = 0; c < 6; ++c) stress[static_cast<int>(c)][p] = sigma.m[c];
+    put_rate(p, D);
     const int e = state_column(law->states(), "void_ratio");
     if (e >= 0) state[e][p] = void_ratio;
+  }
+  void put_rate(Index p, const Sym<double>& D) {
+    for (std::size_t c = 0; c < 6; ++c) rate[static_cast<int>(c)][p] = D.m[c];
   }
   [[nodiscard]] Sym<double> stress_of(Index p) const { return tensor(stress, 0, p); }
   [[nodiscard]] int column(std::string_view variable) const { return state_column(law->states(), variable); }

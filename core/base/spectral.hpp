@@ -1,0 +1,38 @@
+/// Principal values and directions of symmetric tensors.
+#pragma once
+
+#include "core/base/tensor.hpp"
+
+namespace riedel {
+
+/// a = Σ values_i v_i ⊗ v_i, greatest value first; the columns of `directions` are the unit vectors v_i.
+struct Spectral {
+  Vec<3> values;
+  Mat<3> directions;
+};
+
+/// To round-off, equal values included. A tensor that is not finite gives values that are not either.
+Spectral spectral(const Sym<double>& a);
+
+/// Σ values_i v_i ⊗ v_i.
+Sym<double> composed(const Vec<3>& values, const Mat<3>& directions);
+
+/// The tensor with the same directions whose principal values are f(those of a): an isotropic tensor function.
+template <class F>
+Sym<double> mapped(const Spectral& a, const F& f) {
+  return composed({f(a.values[0]), f(a.values[1]), f(a.values[2])}, a.directions);
+}
+
+/// a b a
+Sym<double> sandwiched(const Sym<double>& a, const Sym<double>& b);
+
+/// Principal values alone, greatest first, for packs too; where two are nearly equal good to 1e-8 of the deviator only.
+template <class Real>
+std::array<Real, 3> principal_values(const Sym<Real>& a) {
+  const Sym<Real> s = deviator(a);
+  const Real mean = trace(a) * Real(1.0 / 3.0), radius = Real(std::sqrt(2.0 / 3.0)) * norm(s);
+  const Real angle = acos(-cos_3_lode(s)) * Real(1.0 / 3.0), third(2.0 * std::numbers::pi / 3.0);
+  return {mean + radius * cos(angle), mean + radius * cos(angle - third), mean + radius * cos(angle + third)};
+}
+
+} // namespace riedel
