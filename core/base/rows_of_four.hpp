@@ -5,6 +5,7 @@
 #include "core/base/pack.hpp"
 
 #include <bit>
+#include <cstring>
 
 namespace riedel {
 
@@ -15,8 +16,8 @@ public:
   [[nodiscard]] const double* row(Index k) const { return row_[k].data(); }
 
   void put(const std::array<Pack, 4>& column) {
-    const Eight a = std::bit_cast<Eight>(column[0]), b = std::bit_cast<Eight>(column[1]);
-    const Eight c = std::bit_cast<Eight>(column[2]), d = std::bit_cast<Eight>(column[3]);
+    Eight a, b, c, d;
+    copy(column[0], a), copy(column[1], b), copy(column[2], c), copy(column[3], d);
     const Eight even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
     const Eight odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
     const Eight even_end = __builtin_shufflevector(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
@@ -41,6 +42,8 @@ public:
 
 private:
   using Eight = Few<8>::Lanes;
+  // By reference: vectors that a processor lacks cannot be returned in one way by all compilers.
+  static void copy(const Pack& pack, Eight& lanes) { std::memcpy(&lanes, &pack, sizeof(lanes)); }
   static Pack pack(const Eight& lanes) { return std::bit_cast<Pack>(lanes); }
   /// Rows k and k + 4.
   void put_pair(Index k, const Eight& rows) {
