@@ -76,6 +76,15 @@ void check_spacing(const Values& v, std::vector<Finding>& warnings) {
                           " m: the average acts like one of a shorter length; use more cells or a greater length"});
 }
 
+/// With intergranular strain a law takes no average: the run would be local without saying so.
+void check_locality(const Values& v, std::vector<Finding>& errors) {
+  const std::string extended = "material.intergranular_strain";
+  if (!v.has(extended) || !v.flag(extended) || v.number("nonlocal.length") == 0.0) return;
+  errors.push_back({{"nonlocal.length", extended},
+                    exact_text(v.number("nonlocal.length")) +
+                        " is out of range: with intergranular strain the law takes nothing averaged; allowed: 0"});
+}
+
 } // namespace
 
 BiaxialFindings check_biaxial(const Values& values) {
@@ -84,6 +93,7 @@ BiaxialFindings check_biaxial(const Values& values) {
   check_void_ratio(values, "specimen.void_ratio", found.errors);
   check_void_ratio(values, "imperfection.void_ratio", found.errors);
   check_imperfection(values, found.errors);
+  check_locality(values, found.errors);
   check_number_of_points(values, found.errors);
   check_spacing(values, found.warnings);
   return found;

@@ -51,21 +51,7 @@ GudehusBauer::GudehusBauer(const Values& given)
 double GudehusBauer::density(std::span<const double> state) const { return grain_density_ / (1.0 + state[0]); }
 
 Survey GudehusBauer::survey(const MaterialBatch& batch) const {
-  Survey answer;
-  Pack fastest(0.0); // c² ρ_s
-  for (Index p = 0; p < batch.size; p += pack_size) {
-    const BatchGroup<Pack, 1> group(batch, p);
-    const auto [sigma, state] = group.points();
-    const Pack P = -trace(sigma), e = state[0];
-    const Mask stiff = P > Pack(0.0) && group.load(group.separation()) <= Pack(0.0);
-    const Factors<Pack> f = factors(P, e);
-    const Pack c_squared = stiffness(sigma, f) * (Pack(1.0) + e);
-    fastest = select(stiff && c_squared > fastest, c_squared, fastest); // not of NaN
-    const auto outside = lanes(stiff && (f.e_bar < Pack(e_d0_) || f.e_bar > Pack(e_i0_)));
-    answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
-  }
-  answer.wave_speed = std::sqrt(greatest(fastest) / grain_density_);
-  return answer;
+  return survey_sand<1>(*this, bounds(), batch, [](const auto& parts) { return basic_stiffness(parts); });
 }
 
 } // namespace riedel

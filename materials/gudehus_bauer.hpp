@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/interface/rate_law.hpp"
+#include "materials/hypoplastic.hpp"
 
 namespace riedel {
 
@@ -18,12 +18,19 @@ public:
 
   /// @param sigma Cauchy stress, tension positive [Pa]   @param D rate of deformation [1/s]   @param d ‖D‖ or d* [1/s]
   template <class Real>
-  Rate<Real, 1> rate(const Sym<Real>& sigma, const std::array<Real, 1>& state, const Sym<Real>& D, Real d) const;
+  Rate<Real, 1> rate(const Sym<Real>& sigma, const std::array<Real, 1>& state, const Sym<Real>& D, Real d) const {
+    const Real e = state[0];
+    return {.stress = stress_rate(parts(sigma, e), D, d), .state = {void_ratio_rate(e, D)}}; // (A1), (A9)
+  }
+  /// L and N, (A2) to (A8)   @param e void ratio [-]
+  template <class Real>
+  HypoplasticParts<Real> parts(const Sym<Real>& sigma, const Real& e) const;
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const override { return {"rate_norm"}; }
   [[nodiscard]] double density(std::span<const double> state) const override; ///< ρ_s/(1 + e)
   [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
+  [[nodiscard]] SandBounds bounds() const { return {e_d0_, e_i0_, grain_density_}; }
 
 private:
   /// The factors that depend on pressure and density alone.
@@ -36,9 +43,6 @@ private:
   Factors<Real> factors(Real P, Real e) const;
   template <class Real>
   Real a1(const Sym<Real>& s_dev) const; ///< (A5)
-  /// An upper bound of the stiffness in any direction, loading or unloading [Pa]
-  template <class Real>
-  Real stiffness(const Sym<Real>& sigma, const Factors<Real>& f) const;
 
   double h_s_, n_, e_i0_, e_d0_, e_c0_, alpha_, beta_, grain_density_;
   double c1_, c2_, h_i_;
@@ -72,25 +76,19 @@ Real GudehusBauer::a1(const Sym<Real>& s_dev) const {
 }
 
 template <class Real>
-Real GudehusBauer::stiffness(const Sym<Real>& sigma, const Factors<Real>& f) const {
-  const Sym<Real> s = sigma / trace(sigma), s_dev = deviator(s);
-  const Real a = a1(s_dev);
-  // The greatest σ̂:nn is the greatest principal value; unloading along n adds |N_nn| to the loading stiffness.
-  const Real lode = acos(-cos_3_lode(s_dev)) * Real(1.0 / 3.0);
-  const Real s_nn = Real(1.0 / 3.0) + Real(std::sqrt(2.0 / 3.0)) * norm(s_dev) * cos(lode);
-  return f.f_s * (a * a + s_nn * s_nn + f.f_d * a * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
-}
-
-template <class Real>
-Rate<Real, 1> GudehusBauer::rate(const Sym<Real>& sigma, const std::array<Real, 1>& state, const Sym<Real>& D,
-                                 Real d) const {
-  const Real P = -trace(sigma), e = state[0]; // P = 3 p_s
+HypoplasticParts<Real> GudehusBauer::parts(const Sym<Real>& sigma, const Real& e) const {
+  const Real P = -trace(sigma); // P = 3 p_s
   const Factors<Real> f = factors(P, e);
   const Sym<Real> s = sigma / -P, s_dev = deviator(s); // (A2), (A7)
   const Real a = a1(s_dev);
-  const Sym<Real> L = a * a * D + dot(s, D) * s;                                         // (A3)
-  const Sym<Real> N = a * (s + s_dev);                                                   // (A4)
-  return {.stress = f.f_s * (L + f.f_d * d * N), .state = {(Real(1.0) + e) * trace(D)}}; // (A1), (A9)
+  return {.s = s,
+          .s_dev = s_dev,
+          .f_s = f.f_s,
+          .f_d = f.f_d,
+          .along = a * a, // (A3)
+          .across = Real(1.0),
+          .radial = a, // (A4)
+          .e_bar = f.e_bar};
 }
 
 } // namespace riedel

@@ -1,16 +1,9 @@
 /// Turns a rate equation, written for one point, into a law for blocks of points.
 #pragma once
 
-#include "core/interface/batch_group.hpp"
+#include "core/interface/rate_law_traits.hpp"
 
 namespace riedel {
-
-/// What a rate equation returns: the objective stress rate [Pa/s] and the rates of the law's own state variables [1/s].
-template <class Real, std::size_t States>
-struct Rate {
-  Sym<Real> stress;
-  std::array<Real, States> state;
-};
 
 /// How the integration is controlled; every rate law takes these parameters beside its own.
 struct IntegrationControl {
@@ -22,17 +15,6 @@ struct IntegrationControl {
   explicit IntegrationControl(const Values& given);
 };
 
-/// A law whose `rate` takes packs; one written for `double` alone is integrated point by point.
-template <class Law, std::size_t States>
-concept RunsOnPacks = requires(const Law& law, const Sym<Pack>& sigma, const std::array<Pack, States>& state, Pack d) {
-  law.rate(sigma, state, sigma, d);
-};
-/// A law may say `static constexpr bool constant_rate = true`: its rate depends on D alone, one evaluation is exact.
-template <class Law>
-concept HasConstantRate = requires {
-  requires Law::constant_rate;
-};
-
 /// Explicit integration with error control. d (‖D‖ or its average) is frozen over the step.
 ///  - A step that changes neither the stress nor a state variable by more than four times the tolerance, relative,
 ///  takes
@@ -42,11 +24,13 @@ concept HasConstantRate = requires {
 ///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps.
 /// Eight points at a time take the first two; which one a point takes depends on that point alone.
 ///
-/// A law derives from RateLaw<Law, States>, States being the number of its own state variables, scalars, and provides
+/// A law derives from RateLaw<Law, States>, States being the number of columns of its own state variables (a scalar has
+/// one, a tensor six), and provides
 ///   static constexpr bool frictional;             whether it needs a pressure above zero
 ///   Rate<Real, States> rate(const Sym<Real>& sigma, const std::array<Real, States>& state,
 ///                               const Sym<Real>& D, Real d) const;      for Real = double and, if it can, Real = Pack
-/// and the virtual functions of Material but `integrate`. A frictional law declares `separation_variable()` last.
+/// and the virtual functions of Material but `integrate`. A frictional law declares `separation_variable()` last. What
+/// else a law may say stands in rate_law_traits.hpp.
 ///
 /// Low pressure: where a step would end with p below the minimum pressure, an expanding point separates (no stress
 /// until its volume is back) and any other returns along its last stress direction to p = p_min. Both depend on

@@ -23,6 +23,7 @@ auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<
   }
   const double share = 4.0 * control_.tolerance;
   Truth<Real> little = dot(change, change) <= Real(share * share) * dot(start.stress, start.stress);
+  if constexpr (MeasuresState<Law, States>) return little && law().state_change(start.state, end.state) <= Real(share);
   for (std::size_t s = 0; s < States; ++s)
     little = little && abs(end.state[s] - start.state[s]) <= Real(share) * abs(start.state[s]);
   return little;
@@ -32,9 +33,12 @@ template <class Law, std::size_t States>
 template <class Real>
 auto RateLaw<Law, States>::heun(const Point<Real>& start, const Rate<Real, States>& first, const Step<Real>& over) const
     -> Increment<Real> {
-  const auto second = rate(moved(start, first, over.time), over);
+  const Point<Real> euler = moved(start, first, over.time);
+  const auto second = rate(euler, over);
   Increment<Real> step{.end = moved(moved(start, first, 0.5 * over.time), second, 0.5 * over.time), .error = Real(0.0)};
   step.error = Real(0.5 * over.time) * norm(second.stress - first.stress) / max(norm(step.end.stress), Real(1e-6));
+  if constexpr (MeasuresState<Law, States>)
+    step.error = max(step.error, law().state_change(euler.state, step.end.state));
   for (std::size_t s = 0; s < States; ++s) step.error += Real(0.0) * step.end.state[s]; // NaN, if the state is
   return step;
 }

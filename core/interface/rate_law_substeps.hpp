@@ -35,7 +35,7 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
     const Step<double> part{.D = over.D, .d = over.d, .time = dt};
     const Increment<double> step = heun(lone.point, rate(lone.point, part), part);
     if (!(step.error <= control_.tolerance)) {
-      if (share < smallest_share) return "the stress misses the tolerance even in 10000 sub-steps";
+      if (share < smallest_share) return "the tolerance is missed even in 10000 sub-steps";
       share *= std::isfinite(step.error) ? std::clamp(0.9 * std::sqrt(control_.tolerance / step.error), 0.1, 0.5) : 0.1;
       cut = true;
       continue;
@@ -59,6 +59,7 @@ double RateLaw<Law, States>::drift_apart(Lone& lone, Step<double> over, double l
   over.time = closes ? -lone.separation / volume_rate : left;
   lone.point.stress = contact_stress();
   lone.point.state = heun(lone.point, rate(lone.point, over), over).end.state;
+  if constexpr (LivesInContacts<Law, States>) law().lose_contact(lone.point.state);
   lone.separation = closes ? 0.0 : lone.separation + volume_rate * left;
   if (!closes) lone.point.stress = Sym<double>::zero();
   ++report.separated;

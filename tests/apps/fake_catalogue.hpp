@@ -32,7 +32,8 @@ inline Catalogue fake_catalogue() {
                   {"n", 0.5, "-", within(0, 1), "exponent"},
                   {"e_i0", 1.3, "-", more_than(0), "loosest"},
                   {"e_d0", 0.51, "-", more_than(0), "densest"},
-                  {"e_c0", 0.82, "-", more_than(0), "critical"}};
+                  {"e_c0", 0.82, "-", more_than(0), "critical"},
+                  {"intergranular_strain", false, "", {}, "a switch"}};
   const auto law = [](std::vector<std::string> averaged) {
     return [averaged](const Values&) { return std::make_unique<FakeLaw>(averaged); };
   };

@@ -117,6 +117,12 @@ TEST(BiaxialCheck, PointsCanBeNumbered) {
   EXPECT_THAT(errors({"grid.cells=[100000, 100000]"}), HasSubstr("points are too many"));
 }
 
+TEST(BiaxialCheck, RefusesALengthWithIntergranularStrainWhichTakesNothingAveraged) {
+  EXPECT_THAT(errors({"material.intergranular_strain=true"}),
+              AllOf(StartsWith("nonlocal.length (default): 0.0015 is out of range"), HasSubstr("allowed: 0")));
+  EXPECT_EQ(errors({"material.intergranular_strain=true", "nonlocal.length=0"}), "no error");
+}
+
 TEST(BiaxialCheck, WarnsWhenThePointsAreTooFarApartForTheAverage) {
   EXPECT_THAT(
       accepted({"grid.cells=[16, 56]"}).warnings,

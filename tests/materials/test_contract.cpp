@@ -1,4 +1,4 @@
-/// What every registered law owes.
+/// What every registered law owes, with each of its switches off and on.
 #include "core/step/rotation.hpp"
 #include "support/law.hpp"
 
@@ -7,18 +7,26 @@
 namespace riedel::test {
 namespace {
 
-class EveryLaw : public testing::TestWithParam<std::string> {
+class EveryLaw : public testing::TestWithParam<LawCase> {
 protected:
   static constexpr Index size = 45;
   /// Points of varied stress, density and rate, some of them with a step too large for one sub-step.
   LawBench bench(const Mat<3>& Q = Mat<3>::Identity()) const {
-    LawBench b(material(GetParam()), size);
+    LawBench b(material(GetParam().name, GetParam().with), size);
     std::mt19937 random(3);
     for (Index p = 0; p < size; ++p) {
       const Sym<double> sigma = random_stress(random, 1e3 * (1 + p)), D = random_rate(random);
       b.put(p, rotated(sigma, Q), 0.6 + 0.005 * p, rotated((p % 7 == 0 ? 50.0 : 1.0) * D, Q));
     }
+    for (const std::string& tensor : tensors_of(b)) // strains of which a law takes notice, the first one zero
+      for (Index p = 1; p < size; ++p) b.put_tensor(tensor, p, rotated(5e-5 * random_rate(random), Q));
     return b;
+  }
+  static std::vector<std::string> tensors_of(const LawBench& b) {
+    std::vector<std::string> names;
+    for (const StateVariable& variable : b.law->states())
+      if (variable.components == 6) names.push_back(variable.name);
+    return names;
   }
 };
 
@@ -38,17 +46,26 @@ TEST_P(EveryLaw, GivesASliceTheBitsOfTheWhole) {
   LawBench whole = bench(), sliced = bench();
   whole.integrate(1e-4);
   for (const Range part : {Range{0, 8}, Range{8, 11}, Range{11, 40}, Range{40, 45}}) sliced.integrate(1e-4, part);
-  for (Index p = 0; p < size; ++p)
+  for (Index p = 0; p < size; ++p) {
     for (int c = 0; c < 6; ++c) EXPECT_EQ(whole.stress[c][p], sliced.stress[c][p]) << "point " << p;
+    for (int s = 0; s < whole.state.components(); ++s)
+      EXPECT_EQ(whole.state[s][p], sliced.state[s][p]) << "point " << p;
+  }
 }
 
-TEST_P(EveryLaw, GivesARotatedStressInARotatedFrame) {
+TEST_P(EveryLaw, GivesRotatedTensorsInARotatedFrame) {
   const Mat<3> Q = slanted_rotation();
   LawBench plain = bench(), turned = bench(Q);
   plain.integrate(1e-5);
   turned.integrate(1e-5);
-  for (Index p = 0; p < size; ++p)
+  for (Index p = 0; p < size; ++p) {
     EXPECT_LT(norm(turned.stress_of(p) - rotated(plain.stress_of(p), Q)), 1e-9 * norm(plain.stress_of(p)));
+    for (const std::string& name : tensors_of(plain)) {
+      const Sym<double> tensor = plain.tensor_of(name, p);
+      EXPECT_GT(norm(tensor), 0.0);
+      EXPECT_LT(norm(turned.tensor_of(name, p) - rotated(tensor, Q)), 1e-9 * norm(tensor)) << name;
+    }
+  }
 }
 
 TEST_P(EveryLaw, NamesTheFirstPointThatItCannotIntegrate) {
@@ -63,11 +80,13 @@ TEST_P(EveryLaw, NamesTheFirstPointThatItCannotIntegrate) {
 }
 
 TEST_P(EveryLaw, RefusesParametersOutOfRangeAndTellsTheRange) {
-  const auto& entry = catalogue().materials.find(GetParam());
+  const auto& entry = catalogue().materials.find(GetParam().name);
   for (const Key& key : entry.description.parameters) {
     if (!std::isfinite(key.bounds.lower)) continue;
     try {
-      material(GetParam(), {{key.name, key.bounds.lower - 1.0}});
+      auto values = GetParam().with;
+      values[key.name] = key.bounds.lower - 1.0;
+      material(GetParam().name, values);
       ADD_FAILURE() << key.name << " below its range was accepted";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(key.name), std::string::npos);
@@ -97,8 +116,8 @@ TEST_P(EveryLaw, TellsAWaveSpeedThatNoIncrementExceeds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryLaw, testing::ValuesIn(catalogue().materials.names()),
-                         [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Registry, EveryLaw, testing::ValuesIn(every_law()),
+                         [](const auto& tested) { return tested.param.label; });
 
 } // namespace
 } // namespace riedel::test

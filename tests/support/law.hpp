@@ -1,13 +1,29 @@
 /// One law at a few points, without a grid.
 #pragma once
 
-#include "core/base/tensor.hpp"
 #include "core/state/points.hpp"
 #include "support/problems.hpp"
-
-#include <Eigen/Geometry>
+#include "support/tensors.hpp"
 
 namespace riedel::test {
+
+/// A registered law with its defaults, or with one of its switches the other way round.
+struct LawCase {
+  std::string name, label;
+  std::map<std::string, Value> with = {};
+};
+inline void PrintTo(const LawCase& tested, std::ostream* out) { *out << tested.label; }
+inline std::vector<LawCase> every_law() {
+  std::vector<LawCase> cases;
+  for (const auto& law : catalogue().materials.entries()) {
+    const std::string& name = law.description.name;
+    cases.push_back({name, name});
+    for (const Key& key : law.description.parameters)
+      if (const bool* flag = std::get_if<bool>(&key.default_value))
+        cases.push_back({name, name + "_with_" + key.name, {{key.name, !*flag}}});
+  }
+  return cases;
+}
 
 /// Points with stress, state and rate of deformation, handed to a law as one batch.
 struct LawBench {
@@ -33,10 +49,13 @@ struct LawBench {
     const int e = state_column(law->states(), "void_ratio");
     if (e >= 0) state[e][p] = void_ratio;
   }
-  [[nodiscard]] Sym<double> stress_of(Index p) const {
-    Sym<double> s;
-    for (std::size_t c = 0; c < 6; ++c) s.m[c] = stress[static_cast<int>(c)][p];
-    return s;
+  [[nodiscard]] Sym<double> stress_of(Index p) const { return tensor(stress, 0, p); }
+  [[nodiscard]] int column(std::string_view variable) const { return state_column(law->states(), variable); }
+  [[nodiscard]] Sym<double> tensor_of(std::string_view variable, Index p) const {
+    return tensor(state, column(variable), p);
+  }
+  void put_tensor(std::string_view variable, Index p, const Sym<double>& value) {
+    for (std::size_t c = 0; c < 6; ++c) state[column(variable) + static_cast<int>(c)][p] = value.m[c];
   }
   void integrate(double dt) { integrate(dt, {0, stress.size()}); }
   void integrate(double dt, Range part) {
@@ -52,27 +71,30 @@ struct LawBench {
     batch.state = columns;
     law->integrate(batch, report);
   }
+
+private:
+  static Sym<double> tensor(const Columns& field, int first, Index p) {
+    Sym<double> s;
+    for (std::size_t c = 0; c < 6; ++c) s.m[c] = field[first + static_cast<int>(c)][p];
+    return s;
+  }
 };
 
-inline Sym<double> diagonal(double a, double b, double c) { return {{a, b, c, 0.0, 0.0, 0.0}}; }
-
-/// A stress state of sand and a rate of deformation, all components at work.
-inline Sym<double> random_stress(std::mt19937& random, double pressure) {
-  std::uniform_real_distribution<double> unit(-0.25, 0.25);
-  Sym<double> s = Sym<double>::identity();
-  for (double& component : s.m) component += unit(random);
-  return -pressure * s;
-}
-inline Sym<double> random_rate(std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  Sym<double> D;
-  for (double& component : D.m) component = unit(random);
-  return D;
-}
-/// A rotation about a slanted axis.
-inline Mat<3> slanted_rotation() {
-  return (Eigen::AngleAxisd(0.7, Vec<3>(1, 2, -1).normalized()) * Eigen::AngleAxisd(-1.1, Vec<3>(0, 1, 1).normalized()))
-      .toRotationMatrix();
+/// Compresses point 0 along axis 2 by `strain`; axes 1 and 3 share the strain that keeps their stress. Bisection, since
+/// the end of a step jumps a little where its sub-steps are cut otherwise.
+inline void compress_in_triaxial_cell(LawBench& bench, double strain, double lateral_stress) {
+  const auto moved = [&](double lateral) {
+    LawBench trial = bench;
+    for (int c = 0; c < 6; ++c) trial.rate[c][0] = c == 1 ? -strain : c < 3 ? lateral * strain : 0.0;
+    trial.integrate(1.0);
+    return trial;
+  };
+  double low = -0.5, high = 2.0; // lateral over axial strain: pressed too much, too little
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (moved(middle).stress_of(0).m[0] < lateral_stress ? low : high) = middle;
+  }
+  bench = moved(low);
 }
 
 } // namespace riedel::test

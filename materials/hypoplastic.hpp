@@ -1,0 +1,77 @@
+/// What hypoplastic laws of sand have in common. Their stress rate is linear in D and in d, L:D + N d, with
+///   L = f_s [along I + across σ̂⊗σ̂],   N = f_s f_d radial (σ̂ + σ̂*);
+/// a law gives the factors, and everything else follows from them: the rate, its bounds, and the extension by
+/// intergranular strain.
+#pragma once
+
+#include "core/interface/rate_law.hpp"
+
+namespace riedel {
+
+/// L and N at one stress and void ratio.
+template <class Real>
+struct HypoplasticParts {
+  Sym<Real> s, s_dev; ///< σ̂ = σ/tr σ and its deviator σ̂*
+  Real f_s, f_d;      ///< factors of pressure and density [Pa], [-]
+  Real along, across; ///< of L
+  Real radial;        ///< of N
+  Real e_bar;         ///< the void ratio brought to zero pressure
+};
+
+/// σ° = f_s [along D + across σ̂ (σ̂:D) + f_d radial (σ̂ + σ̂*) d]   [Pa/s]
+template <class Real>
+Sym<Real> stress_rate(const HypoplasticParts<Real>& q, const Sym<Real>& D, const std::type_identity_t<Real>& d) {
+  const Sym<Real> L = q.along * D + q.across * dot(q.s, D) * q.s;
+  const Sym<Real> N = q.radial * (q.s + q.s_dev);
+  return q.f_s * (L + q.f_d * d * N);
+}
+
+/// ė = (1 + e) tr D: the grains keep their volume [1/s]
+template <class Real>
+Real void_ratio_rate(const Real& e, const Sym<Real>& D) {
+  return (Real(1.0) + e) * trace(D);
+}
+
+/// The greatest of σ̂:nn over all directions n, which is the greatest principal value.
+template <class Real>
+Real greatest_principal(const HypoplasticParts<Real>& q) {
+  const Real lode = acos(-cos_3_lode(q.s_dev)) * Real(1.0 / 3.0);
+  return Real(1.0 / 3.0) + Real(std::sqrt(2.0 / 3.0)) * norm(q.s_dev) * cos(lode);
+}
+
+/// An upper bound of the stiffness in any direction, loading or unloading: unloading along n adds |N:nn| to L. [Pa]
+template <class Real>
+Real basic_stiffness(const HypoplasticParts<Real>& q) {
+  const Real s_nn = greatest_principal(q);
+  return q.f_s * (q.along + q.across * s_nn * s_nn + q.f_d * q.radial * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
+}
+
+/// What a survey needs to know of a sand besides its parts.
+struct SandBounds {
+  double e_d0, e_i0;    ///< least and greatest void ratio at zero pressure [-]
+  double grain_density; ///< [kg/m³]
+};
+
+/// Greatest wave speed of a batch whose state begins with the void ratio and ends, behind `States` columns, with the
+/// separation. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
+template <std::size_t States, class Law, class Stiffness>
+[[gnu::flatten]] Survey survey_sand(const Law& law, const SandBounds& bounds, const MaterialBatch& batch,
+                                    const Stiffness& stiffness) {
+  Survey answer;
+  Pack fastest(0.0); // c² ρ_s
+  for (Index p = 0; p < batch.size; p += pack_size) {
+    const BatchGroup<Pack, States> group(batch, p);
+    const auto [sigma, state] = group.points();
+    const Pack e = state[0];
+    const Mask stiff = -trace(sigma) > Pack(0.0) && group.load(group.separation()) <= Pack(0.0);
+    const HypoplasticParts<Pack> parts = law.parts(sigma, e);
+    const Pack c_squared = stiffness(parts) * (Pack(1.0) + e);
+    fastest = select(stiff && c_squared > fastest, c_squared, fastest); // not of NaN
+    const auto outside = lanes(stiff && (parts.e_bar < Pack(bounds.e_d0) || parts.e_bar > Pack(bounds.e_i0)));
+    answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
+  }
+  answer.wave_speed = std::sqrt(greatest(fastest) / bounds.grain_density);
+  return answer;
+}
+
+} // namespace riedel
