@@ -197,7 +197,7 @@ void BareKernel<Law, States, Nodes>::update(Group& g, const Lanes<8>& c, double 
 
   Sym<Pack> sigma = Sym<Pack>::zero(), D = Sym<Pack>::zero();
   for (int i = 0; i < 4; ++i) sigma.m[i] = Pack::load(g.sigma[i]);
-  rotate_in_plane(sigma, Pack(0.5) * (L[0][1] - L[1][0]), dt);
+  rotate(sigma, cayley(Pack(0.5) * (L[0][1] - L[1][0]), dt));
   D.m[0] = L[0][0], D.m[1] = L[1][1], D.m[3] = Pack(std::numbers::sqrt2 / 2) * (L[0][1] + L[1][0]);
   std::array<Pack, States> state;
   for (std::size_t s = 0; s < States; ++s) state[s] = Pack::load(g.state[s]);

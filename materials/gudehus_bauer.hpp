@@ -28,42 +28,20 @@ public:
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const override { return {"rate_norm"}; }
-  [[nodiscard]] double density(std::span<const double> state) const override; ///< ρ_s/(1 + e)
+  [[nodiscard]] double density(std::span<const double> state) const override { return sand_.density(state[0]); }
   [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
-  [[nodiscard]] SandBounds bounds() const { return {e_d0_, e_i0_, grain_density_}; }
+  [[nodiscard]] const Sand& sand() const { return sand_; }
 
 private:
-  /// The factors that depend on pressure and density alone.
-  template <class Real>
-  struct Factors {
-    Real f_s, f_d; ///< (A8) [Pa], [-]
-    Real e_bar;    ///< the void ratio brought to zero pressure: e_d0 ≤ e_bar ≤ e_i0
-  };
-  template <class Real>
-  Factors<Real> factors(Real P, Real e) const;
   template <class Real>
   Real a1(const Sym<Real>& s_dev) const; ///< (A5)
 
-  double h_s_, n_, e_i0_, e_d0_, e_c0_, alpha_, beta_, grain_density_;
-  double c1_, c2_, h_i_;
-  double per_h_s_, per_e_i0_, per_e_range_; ///< 1/h_s, 1/e_i0, 1/(e_c0 − e_d0)
-  double f_s0_;                             ///< h_s/(n h_i)
+  Sand sand_;
+  double c1_, c2_; ///< (A6)
+  double f_s0_;    ///< h_s/(n h_i) [Pa]
   std::vector<StateVariable> states_{{"void_ratio", "-", "volume of the voids over volume of the grains"},
                                      separation_variable()};
 };
-
-/// With the void ratio brought to zero pressure, e_bar = e exp[(P/h_s)^n], the bounds of (A10) are constants in (A8):
-/// no division is left, and the powers share the logarithm of the pressure.
-template <class Real>
-auto GudehusBauer::factors(Real P, Real e) const -> Factors<Real> {
-  const Real log_pressure = log(Real(per_h_s_) * P);
-  const Real x = exp(Real(n_) * log_pressure), grow = exp(x), e_bar = e * grow; // (A10): grow = e_i0/e_i = e_d0/e_d = …
-  const Real one_plus_e_i_over_e_i = Real(1.0) + Real(per_e_i0_) * grow;
-  const Real f_s = Real(f_s0_) * one_plus_e_i_over_e_i * // (A8), (e_i/e)^β (P/h_s)^{1−n} as one power
-                   exp(Real(1.0 - n_) * log_pressure - Real(beta_) * (log(Real(per_e_i0_) * e) + x));
-  const Real f_d = pow(max(Real(0.0), Real(per_e_range_) * (e_bar - Real(e_d0_))), Real(alpha_)); // (A8)
-  return {.f_s = f_s, .f_d = f_d, .e_bar = e_bar};
-}
 
 /// (A5) over its common denominator: x³ cos 3θ = −√6 tr σ̂*³, x = ‖σ̂*‖.
 template <class Real>
@@ -78,7 +56,7 @@ Real GudehusBauer::a1(const Sym<Real>& s_dev) const {
 template <class Real>
 HypoplasticParts<Real> GudehusBauer::parts(const Sym<Real>& sigma, const Real& e) const {
   const Real P = -trace(sigma); // P = 3 p_s
-  const Factors<Real> f = factors(P, e);
+  const SandFactors<Real> f = sand_.factors(P, e, f_s0_);
   const Sym<Real> s = sigma / -P, s_dev = deviator(s); // (A2), (A7)
   const Real a = a1(s_dev);
   return {.s = s,

@@ -4,7 +4,7 @@
 /// intergranular strain.
 #pragma once
 
-#include "core/interface/rate_law.hpp"
+#include "materials/sand.hpp"
 
 namespace riedel {
 
@@ -46,17 +46,11 @@ Real basic_stiffness(const HypoplasticParts<Real>& q) {
   return q.f_s * (q.along + q.across * s_nn * s_nn + q.f_d * q.radial * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
 }
 
-/// What a survey needs to know of a sand besides its parts.
-struct SandBounds {
-  double e_d0, e_i0;    ///< least and greatest void ratio at zero pressure [-]
-  double grain_density; ///< [kg/m³]
-};
-
 /// Greatest wave speed of a batch whose state begins with the void ratio and ends, behind `States` columns, with the
 /// separation. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
 template <std::size_t States, class Law, class Stiffness>
-[[gnu::flatten]] Survey survey_sand(const Law& law, const SandBounds& bounds, const MaterialBatch& batch,
-                                    const Stiffness& stiffness) {
+[[gnu::flatten]] Survey survey_sand(const Law& law, const MaterialBatch& batch, const Stiffness& stiffness) {
+  const Sand& sand = law.sand();
   Survey answer;
   Pack fastest(0.0); // c² ρ_s
   for (Index p = 0; p < batch.size; p += pack_size) {
@@ -67,10 +61,10 @@ template <std::size_t States, class Law, class Stiffness>
     const HypoplasticParts<Pack> parts = law.parts(sigma, e);
     const Pack c_squared = stiffness(parts) * (Pack(1.0) + e);
     fastest = select(stiff && c_squared > fastest, c_squared, fastest); // not of NaN
-    const auto outside = lanes(stiff && (parts.e_bar < Pack(bounds.e_d0) || parts.e_bar > Pack(bounds.e_i0)));
+    const auto outside = lanes(stiff && (parts.e_bar < Pack(sand.e_d0) || parts.e_bar > Pack(sand.e_i0)));
     answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
   }
-  answer.wave_speed = std::sqrt(greatest(fastest) / bounds.grain_density);
+  answer.wave_speed = std::sqrt(greatest(fastest) / sand.grain_density);
   return answer;
 }
 

@@ -45,7 +45,7 @@ public:
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] double density(std::span<const double> state) const override { return base_.density(state); }
   [[nodiscard]] Survey survey(const MaterialBatch& batch) const override {
-    return survey_sand<7>(base_, base_.bounds(), batch, [&](const auto& parts) { return stiffness(parts); });
+    return survey_sand<7>(base_, batch, [&](const auto& parts) { return stiffness(parts); });
   }
 
 private:

@@ -28,18 +28,17 @@ public:
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const override { return {"rate_norm"}; }
-  [[nodiscard]] double density(std::span<const double> state) const override; ///< ρ_s/(1 + e)
+  [[nodiscard]] double density(std::span<const double> state) const override { return sand_.density(state[0]); }
   [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
-  [[nodiscard]] SandBounds bounds() const { return {e_d0_, e_i0_, grain_density_}; }
+  [[nodiscard]] const Sand& sand() const { return sand_; }
 
 private:
   /// (5)   @param squared ‖σ̂*‖²
   template <class Real>
   Real F(const Sym<Real>& s_dev, const Real& squared) const;
 
-  double h_s_, n_, e_i0_, e_d0_, e_c0_, alpha_, beta_, grain_density_;
-  double a_, f0_;                           ///< (4); h_s/n over the bracket of (8) [Pa]
-  double per_h_s_, per_e_i0_, per_e_range_; ///< 1/h_s, 1/e_i0, 1/(e_c0 − e_d0)
+  Sand sand_;
+  double a_, f_s0_; ///< (4); h_s/n over the bracket of (8) [Pa]
   std::vector<StateVariable> states_{{"void_ratio", "-", "volume of the voids over volume of the grains"},
                                      separation_variable()};
 };
@@ -57,24 +56,21 @@ Real VonWolffersdorff::F(const Sym<Real>& s_dev, const Real& squared) const {
   return sqrt(Real(3.0 / 8.0) * squared + share) - Real(std::numbers::sqrt3 / (2.0 * std::numbers::sqrt2)) * x;
 }
 
-/// With e_bar = e exp[(P/h_s)^n] the bounds of (6) are constants in (7) and (8).
+/// The product f_b f_e of (7) and (8) is f_s of Gudehus and Bauer over another bracket, and f_d is the same.
 template <class Real>
 HypoplasticParts<Real> VonWolffersdorff::parts(const Sym<Real>& sigma, const Real& e) const {
-  const Real P = -trace(sigma), log_pressure = log(Real(per_h_s_) * P);
-  const Real grow = exp(exp(Real(n_) * log_pressure)), e_bar = e * grow; // (6): e_i0/e_i = e_d0/e_d = e_c0/e_c = grow
-  const Real f_d = pow(max(Real(0.0), Real(per_e_range_) * (e_bar - Real(e_d0_))), Real(alpha_)); // (7)
-  const Real f_b_f_e = Real(f0_) * (Real(1.0) + Real(per_e_i0_) * grow) * // (7), (8): one power of e_i0/e_bar is left
-                       exp(Real(1.0 - n_) * log_pressure - Real(beta_) * log(Real(per_e_i0_) * e_bar));
-  const Sym<Real> s = sigma / -P, s_dev = deviator(s); // (3)
+  const Real P = -trace(sigma);
+  const SandFactors<Real> f = sand_.factors(P, e, f_s0_); // (6) to (8)
+  const Sym<Real> s = sigma / -P, s_dev = deviator(s);    // (3)
   const Real squared = dot(s_dev, s_dev), strength = F(s_dev, squared);
   return {.s = s,
           .s_dev = s_dev,
-          .f_s = f_b_f_e / (squared + Real(1.0 / 3.0)), // σ̂:σ̂ = σ̂*:σ̂* + 1/3
-          .f_d = f_d,
+          .f_s = f.f_s / (squared + Real(1.0 / 3.0)), // σ̂:σ̂ = σ̂*:σ̂* + 1/3
+          .f_d = f.f_d,
           .along = strength * strength,
           .across = Real(a_ * a_),
           .radial = Real(a_) * strength,
-          .e_bar = e_bar};
+          .e_bar = f.e_bar};
 }
 
 } // namespace riedel

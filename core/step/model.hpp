@@ -15,6 +15,9 @@ struct Model;
 template <int Dim>
 using StepFunction = void (*)(State<Dim>& state, const Model<Dim>& model, double dt);
 
+/// Whose spin turns stress and tensor state: W, or that of R in F = R U.
+enum class ObjectiveRate { jaumann, green_naghdi };
+
 /// A grid that follows a platen: along `axis` its cells shrink so that node row `driven_row` stays on the platen, while
 /// `fixed_row` stays where it is.
 struct MovingGrid {
@@ -35,6 +38,7 @@ template <int Dim>
 struct Model {
   std::shared_ptr<const ShapeFunction<Dim>> scheme;
   StepFunction<Dim> step = nullptr;
+  ObjectiveRate objective_rate = ObjectiveRate::jaumann;
   std::vector<NodeCondition<Dim>> conditions;
   std::optional<MovingGrid> moving_grid;
   Vec<Dim> gravity = Vec<Dim>::Zero(); ///< [m/s²]

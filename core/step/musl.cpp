@@ -15,7 +15,7 @@ void musl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   remap_velocity(state, model, dt);   // v_p, then v_i = Σ_p N_ip m_p v_p / m_i
   hold_velocities(state, end);
   deform_and_move(state, model, dt); // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p, x_p
-  update_stress(state, dt);          // d*, rotation, law
+  update_stress(state, model, dt);   // d*, rotation, law
 }
 
 template void musl_step<2>(State<2>&, const Model<2>&, double);

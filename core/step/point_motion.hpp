@@ -4,12 +4,9 @@
 
 #include "core/state/points.hpp"
 #include "core/step/gather.hpp"
+#include "core/step/pack_matrix.hpp"
 
 namespace riedel {
-
-/// L_ij = ∂v_i/∂x_j of eight points.
-template <int Dim>
-using PackMatrix = std::array<std::array<Pack, Dim>, Dim>;
 
 /// v_p after the step, and the points' way Δt Σ N_ip v_i.
 template <int Dim>
@@ -34,12 +31,6 @@ NewMotion<Dim> new_motion(const Gathered<Dim>& sum, const Points<Dim>& points, I
 template <int Dim>
 void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pack, Dim>>& way) {
   for (int a = 0; a < Dim; ++a) (Pack::load(points.position[a] + p) + way[a]).store(points.position[a] + p);
-}
-
-inline Pack determinant(const PackMatrix<2>& a) { return a[0][0] * a[1][1] - a[0][1] * a[1][0]; }
-inline Pack determinant(const PackMatrix<3>& a) {
-  return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
-         a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
 }
 
 /// L_p = Σ_i v_i ⊗ ∇N_ip, F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.

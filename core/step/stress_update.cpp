@@ -1,7 +1,7 @@
 #include "core/step/stress_update.hpp"
 
 #include "core/base/parallel.hpp"
-#include "core/step/rotation.hpp"
+#include "core/step/polar_rotation.hpp"
 
 #include <numbers>
 #include <numeric>
@@ -25,9 +25,22 @@ auto spin_of(const Columns& L, Index p) {
     return std::array<Pack, 3>{w(2, 1), w(0, 2), w(1, 0)};
 }
 
-/// Q a Qᵀ of the step, in place.
-inline void rotate(Sym<Pack>& a, const Pack& spin, double dt) { rotate_in_plane(a, spin, dt); }
-inline void rotate(Sym<Pack>& a, const std::array<Pack, 3>& spin, double dt) { rotate_in_space(a, spin, dt); }
+template <int Dim>
+PackMatrix<Dim> load(const Columns& field, Index p) {
+  PackMatrix<Dim> a;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) a[i][j] = Pack::load(field[i * Dim + j] + p);
+  return a;
+}
+
+/// Q of the step, of eight points.
+template <ObjectiveRate objective, int Dim>
+auto rotation_of_step(const Points<Dim>& points, Index p, double dt) {
+  if constexpr (objective == ObjectiveRate::jaumann)
+    return cayley(spin_of<Dim>(points.velocity_gradient, p), dt);
+  else
+    return polar_rotation(load<Dim>(points.deformation_gradient, p), load<Dim>(points.velocity_gradient, p), dt);
+}
 
 /// Mandel components that a motion in Dim dimensions touches: in the plane 11, 22 and 12.
 template <int Dim>
@@ -58,12 +71,13 @@ public:
   void take_average(const double* averaged) { batch_.averaged = averaged ? averaged + range_.begin : nullptr; }
 
   /// Rotates the stress and fills the rates of deformation. @return Σ V σ:D of the rotated stress [W or W/m]
+  template <ObjectiveRate objective>
   double rotate_and_fill_rates() {
     const Columns& L = points_.velocity_gradient;
     return sum_over_packs([&](Index p, Index i) {
       Sym<Pack> stress = Sym<Pack>::zero();
       for (const int c : components_of_motion<Dim>) stress.m[c] = Pack::load(points_.stress[c] + p);
-      rotate(stress, spin_of<Dim>(L, p), batch_.time_step);
+      rotate(stress, rotation_of_step<objective>(points_, p, batch_.time_step));
       Pack density(0.0);
       for (int a = 0; a < Dim; ++a)
         for (int b = 0; b <= a; ++b) {
@@ -107,14 +121,14 @@ private:
 };
 
 /// The tensors among the law's state variables turn with the material, too.
-template <int Dim>
+template <ObjectiveRate objective, int Dim>
 void rotate_state(Body<Dim>& body, Range range, double dt) {
   int column = 0;
   for (const StateVariable& variable : body.material->states()) {
     for (Index p = range.begin; variable.components == 6 && p < range.end; p += pack_size) {
       Sym<Pack> a;
       for (int c = 0; c < 6; ++c) a.m[c] = Pack::load(body.points.state[column + c] + p);
-      rotate(a, spin_of<Dim>(body.points.velocity_gradient, p), dt);
+      rotate(a, rotation_of_step<objective>(body.points, p, dt));
       for (int c = 0; c < 6; ++c) a.m[c].store(body.points.state[column + c] + p);
     }
     column += variable.components;
@@ -122,16 +136,16 @@ void rotate_state(Body<Dim>& body, Range range, double dt) {
 }
 
 /// Rotation and law over a range of points.
-template <int Dim>
+template <ObjectiveRate objective, int Dim>
 StressShare update_range(Body<Dim>& body, Range whole, const double* averaged, double dt) {
   StressShare share;
   LawBlock<Dim> block(body.points, dt);
-  rotate_state(body, whole, dt);
+  rotate_state<objective>(body, whole, dt);
   for (Index b = whole.begin; b < whole.end; b += law_block) {
     block.move_to({b, std::min(b + law_block, whole.end)});
     block.take_average(averaged);
     MaterialReport report;
-    const double before = block.rotate_and_fill_rates();
+    const double before = block.template rotate_and_fill_rates<objective>();
     body.material->integrate(block.batch(), report);
     share.report.add(report, b);
     share.work += 0.5 * dt * (before + block.power());
@@ -167,13 +181,14 @@ template <int Dim>
 } // namespace
 
 template <int Dim>
-void update_stress(State<Dim>& state, double dt) {
+void update_stress(State<Dim>& state, const Model<Dim>& model, double dt) {
+  const auto update = model.objective_rate == ObjectiveRate::jaumann ? update_range<ObjectiveRate::jaumann, Dim>
+                                                                     : update_range<ObjectiveRate::green_naghdi, Dim>;
   for (Body<Dim>& body : state.bodies) {
     const double* averaged = average(state, body);
     const PhaseClock::Lap lap(state.clock, Phase::law);
     const StressShare all = reduce_blocks(
-        body.points.size(), state.shares, StressShare{},
-        [&](Range range) { return update_range(body, range, averaged, dt); },
+        body.points.size(), state.shares, StressShare{}, [&](Range range) { return update(body, range, averaged, dt); },
         [](StressShare sum, const StressShare& share) {
           sum.report.add(share.report, 0);
           sum.work += share.work;
@@ -204,8 +219,8 @@ Survey survey(Body<Dim>& body, std::vector<Survey>& parts) {
       });
 }
 
-template void update_stress<2>(State<2>&, double);
-template void update_stress<3>(State<3>&, double);
+template void update_stress<2>(State<2>&, const Model<2>&, double);
+template void update_stress<3>(State<3>&, const Model<3>&, double);
 template Survey survey<2>(Body<2>&, std::vector<Survey>&);
 template Survey survey<3>(Body<3>&, std::vector<Survey>&);
 

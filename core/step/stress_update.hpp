@@ -7,10 +7,11 @@ namespace riedel {
 
 constexpr int most_state_columns = 64; ///< that a law may declare
 
-/// Averages the scalar that the law names, rotates stress and tensor state with the material, and lets the law
-/// integrate the step. Throws RunError naming the first point at which the law fails.
+/// Averages the scalar that the law names, rotates stress and tensor state with the material, as the model's
+/// objective rate says, and lets the law integrate the step. Throws RunError naming the first point at which the law
+/// fails.
 template <int Dim>
-void update_stress(State<Dim>& state, double dt);
+void update_stress(State<Dim>& state, const Model<Dim>& model, double dt);
 
 /// Greatest wave speed, and points outside the law's bounds, of one body. @param parts working space
 template <int Dim>

@@ -13,7 +13,7 @@ void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   map_mass_and_momentum(state, model); // m_i, (mv)_i, v_i
   hold_velocities(state, state.time);
   update_kinematics(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
-  update_stress(state, dt);               // d*, rotation, law
+  update_stress(state, model, dt);        // d*, rotation, law
   map_forces(state, model);               // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
   advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions

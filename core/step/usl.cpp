@@ -12,7 +12,7 @@ void usl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions
   grid_to_points(state, model, dt);       // v_p, x_p, L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
-  update_stress(state, dt);               // d*, rotation, law
+  update_stress(state, model, dt);        // d*, rotation, law
 }
 
 template void usl_step<2>(State<2>&, const Model<2>&, double);

@@ -56,7 +56,7 @@ TEST(Rotation, IsTheSameInThePlaneForAPackAsInThreeDimensions) {
   Sym<Pack> all = Sym<Pack>::zero();
   for (const std::size_t c : {0, 1}) all.m[c] = Pack::load(column[c].data());
   all.m[3] = Pack::load(column[2].data());
-  rotate_in_plane(all, Pack::load(column[3].data()), dt);
+  rotate(all, cayley(Pack::load(column[3].data()), dt));
 
   std::array<double, pack_size> s_11, s_22, s_12;
   all.m[0].store(s_11.data());
@@ -82,7 +82,7 @@ TEST(Rotation, IsTheSameInSpaceForAPackAsForEachPoint) {
     for (double& x : numbers) x = unit(random);
   Sym<Pack> all;
   for (std::size_t c = 0; c < 6; ++c) all.m[c] = Pack::load(column[c].data());
-  rotate_in_space(all, {Pack::load(column[6].data()), Pack::load(column[7].data()), Pack::load(column[8].data())}, dt);
+  rotate(all, cayley({Pack::load(column[6].data()), Pack::load(column[7].data()), Pack::load(column[8].data())}, dt));
 
   for (std::size_t k = 0; k < pack_size; ++k) {
     Sym<double> alone;

@@ -2,6 +2,7 @@
 /// is prescribed by L = W in every point and passes through the solver's stress update.
 #include "core/step/rotation.hpp"
 #include "core/step/stress_update.hpp"
+#include "support/carrier.hpp"
 #include "support/law.hpp"
 
 #include <gtest/gtest.h>
@@ -9,19 +10,6 @@
 
 namespace riedel::test {
 namespace {
-
-/// A law that keeps its stress and has a tensor and two scalars as state.
-class Carrier final : public Material {
-public:
-  [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
-  [[nodiscard]] double density(std::span<const double>) const override { return 1000.0; }
-  void integrate(const MaterialBatch&, MaterialReport&) const override {}
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {}; }
-
-private:
-  std::vector<StateVariable> states_{
-      {"before", "-", "scalar", 1}, {"fabric", "-", "tensor", 6}, {"after", "-", "scalar", 1}};
-};
 
 template <int Dim>
 Mat<3> spin() {
@@ -66,7 +54,7 @@ struct TurningBlock {
     }
   }
   void turn() {
-    for (int i = 0; i < steps; ++i) update_stress(state, dt);
+    for (int i = 0; i < steps; ++i) update_stress(state, Model<Dim>{}, dt);
   }
   /// Of all steps together, by the solver's own rule (Cayley's) and by the angle itself.
   static Mat<3> rotation_by_rule() {
@@ -152,8 +140,8 @@ TEST(Objectivity, MakesAShearStressOfAxialStressInTheSenseOfTheRotation) {
   TurningBlock<2> block(material("linear_elastic"));
   Points<2>& points = block.state.bodies[0].points;
   for (const int c : {1, 2, 3}) points.stress.fill(c, 0.0);
-  points.stress.fill(0, -1e3);                                                             // pressed along x
-  for (int i = 0; i < 200; ++i) update_stress(block.state, std::numbers::pi / 16.0 / 200); // 45° counter-clockwise
+  points.stress.fill(0, -1e3);                                                                 // pressed along x
+  for (int i = 0; i < 200; ++i) update_stress(block.state, {}, std::numbers::pi / 16.0 / 200); // 45° counter-clockwise
   EXPECT_NEAR(points.stress[0][0], -500.0, 0.01);
   EXPECT_NEAR(points.stress[1][0], -500.0, 0.01);
   EXPECT_NEAR(points.stress[3][0] / std::numbers::sqrt2, -500.0, 0.01) << "pressed along the diagonal x = y";
