@@ -82,9 +82,9 @@ double function_time(const BenchEffort& effort, const F& f) {
   return 1e9 * seconds / numbers;
 }
 
-/// One rate of the law at a stress that differs from point to point.
+/// One rate of the law at a stress that differs from point to point, in one piece as RateLaw compiles it.
 template <class Real, class Law>
-double law_time(const Law& law, const BenchEffort& effort) {
+[[gnu::flatten]] double law_time(const Law& law, const BenchEffort& effort) {
   return function_time<Real>(effort, [&](const Real& x) {
     const Real p = Real(-bench_block::pressure) * (Real(1.0) + Real(0.1) * x), zero(0.0);
     const Sym<Real> sigma{{p, Real(1.2) * p, Real(1.1) * p, Real(0.1) * p, zero, zero}};
