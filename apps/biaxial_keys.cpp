@@ -1,5 +1,7 @@
 #include "apps/biaxial_keys.hpp"
 
+#include "apps/step_keys.hpp"
+
 #include <algorithm>
 
 namespace riedel {
@@ -7,7 +9,6 @@ namespace riedel {
 namespace {
 
 const Bounds any{};
-const Bounds up_to_one{.lower = 0.0, .upper = 1.0, .lower_included = false};
 using Reals = std::vector<double>;
 using Integers = std::vector<std::int64_t>;
 
@@ -43,27 +44,17 @@ Keys problem_keys(const Catalogue& catalogue) {
   };
 }
 
-Keys method_keys(const Catalogue& catalogue) {
+Keys averaging_keys(const Catalogue& catalogue) {
   return {
       {"nonlocal.length", 1.5e-3, "m", at_least(0), "characteristic length l_c; 0: local"},
       {"nonlocal.variable", "rate_norm", "", any, "scalar of the law that is averaged"},
       {"nonlocal.search", "cgal_kd_tree", "", any, "search for neighbours", catalogue.in_2d.searches.names()},
       {"nonlocal.averager", "gauss", "", any, "way of averaging", catalogue.in_2d.averagers.names()},
-      {"time.order",
-       "musl",
-       "",
-       any,
-       "when stresses are updated: last, from re-mapped velocities; last; or first",
-       {"musl", "usl", "usf"}},
-      {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
-      {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
-      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
-      {"time.objective_rate",
-       "jaumann",
-       "",
-       any,
-       "rate of the stress that does not see rotations: with the spin of the velocities, or of R in F = R U",
-       {"jaumann", "green_naghdi"}},
+  };
+}
+
+Keys output_keys() {
+  return {
       {"output.every_strain", 0.0005, "-", within(0, 1), "vertical strain between rows of history.csv"},
       {"output.frames_every_strain", 0.005, "-", within(0, 1), "vertical strain between frames for ParaView"},
       {"output.vtk", true, "", any, "write points.pvd and domains.pvd"},
@@ -87,7 +78,9 @@ void restrict_variable(Keys& keys, const Materials::Entry& law) {
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   Keys keys = problem_keys(catalogue);
   append_material(keys, catalogue, model);
-  append(keys, method_keys(catalogue));
+  append(keys, averaging_keys(catalogue));
+  append(keys, step_keys());
+  append(keys, output_keys());
   if (catalogue.materials.known(model)) restrict_variable(keys, catalogue.materials.find(model));
   return keys;
 }

@@ -1,8 +1,6 @@
 #include "apps/specimen.hpp"
 
-#include "core/step/musl.hpp"
-#include "core/step/usf.hpp"
-#include "core/step/usl.hpp"
+#include "apps/step_keys.hpp"
 
 #include <numbers>
 
@@ -144,14 +142,8 @@ void set_boundaries(Model<2>& model, State<2>& state, const Specimen& s, const V
     state.rigid_bodies.push_back(rigid_platen(s, down));
   } else {
     model.conditions.push_back({"top", {0, top}, last, 1, down});
-    model.moving_grid = MovingGrid{.axis = 1, .fixed_row = bottom, .driven_row = top, .velocity = down};
+    model.moving_grids.push_back({.axis = 1, .fixed_row = bottom, .moving_row = top, .platen = "top"});
   }
-}
-
-StepFunction<2> step_named(const std::string& order) {
-  if (order == "musl") return musl_step<2>;
-  if (order == "usl") return usl_step<2>;
-  return usf_step<2>;
 }
 
 } // namespace
@@ -159,12 +151,8 @@ StepFunction<2> step_named(const std::string& order) {
 Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Model<2> model;
   model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make();
-  model.step = step_named(v.text("time.order"));
-  if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
+  set_step(model, v);
   model.gravity = {0.0, -v.number("loading.gravity")};
-  model.flip = v.number("time.flip");
-  model.cfl = v.number("time.cfl");
-  if (std::holds_alternative<double>(v.at("time.step"))) model.fixed_time_step = v.number("time.step");
 
   const Specimen specimen(v, *model.scheme);
   const std::string& law = v.text("material.model");
@@ -188,7 +176,7 @@ Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
 
 double platen_force(const Simulation<2>& simulation, const Values& values) {
   // The virtual stress leaves the reaction in excess of the confining pressure.
-  return simulation.model().confining_pressure * values.number("specimen.width") - simulation.reaction("top");
+  return simulation.model().confining_pressure * values.number("specimen.width") - simulation.held("top").reaction;
 }
 
 double mobilised_angle(double force, const Values& values) {

@@ -12,6 +12,18 @@ namespace riedel {
 inline int most_threads() { return omp_get_max_threads(); }
 inline int this_thread() { return omp_get_thread_num(); } ///< 0 … most_threads() − 1
 
+/// No more threads than this while it lives: for work that is too small to share.
+class ThreadLimit {
+public:
+  explicit ThreadLimit(int most) : before_(most_threads()) { omp_set_num_threads(std::min(most, before_)); }
+  ~ThreadLimit() { omp_set_num_threads(before_); }
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+  int before_;
+};
+
 inline Index blocks_of(Index points) { return (points + block_size - 1) / block_size; }
 inline Range block_range(Index block, Index points) {
   return {block * block_size, std::min((block + 1) * block_size, points)};

@@ -11,6 +11,40 @@ void drop_repeated(std::vector<Index>& nodes) {
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 }
+
+template <int Dim>
+bool within_box(const Counts<Dim>& index, const Counts<Dim>& first, const Counts<Dim>& last) {
+  bool inside = true;
+  for (int a = 0; a < Dim; ++a) inside = inside && index[a] >= first[a] && index[a] <= last[a];
+  return inside;
+}
+
+template <int Dim>
+std::vector<double> shares_of(const Grid<Dim>& grid, const LinearMotion& linear, const std::vector<Index>& nodes) {
+  std::vector<double> shares;
+  for (const Index i : nodes)
+    shares.push_back(static_cast<double>(grid.index(i)[linear.axis] - linear.fixed_row) /
+                     static_cast<double>(linear.moving_row - linear.fixed_row));
+  return shares;
+}
+
+/// The one velocity that leaves the nodes' momentum along their motion as it is.
+template <int Dim>
+double common_velocity(const Nodes<Dim>& nodes, const HeldNodes& held) {
+  double momentum = 0.0, mass = 0.0;
+  for (std::size_t k = 0; k < held.nodes.size(); ++k) {
+    const Index i = held.nodes[k];
+    const double m = nodes.sums[i].mass * held.share(k);
+    momentum += m * nodes.motion[i].velocity[held.axis];
+    mass += m * held.share(k);
+  }
+  return mass > 0.0 ? momentum / mass : 0.0;
+}
+
+template <int Dim>
+double velocity_of(const Nodes<Dim>& nodes, const HeldNodes& held, double time) {
+  return held.velocity ? held.velocity(time) : common_velocity(nodes, held);
+}
 } // namespace
 
 std::function<double(double)> ramped(double speed, double ramp_time) {
@@ -25,9 +59,9 @@ std::vector<Index> nodes_of(const Grid<Dim>& grid, const NodeCondition<Dim>& con
   std::vector<Index> nodes;
   for (Index i = 0; i < grid.node_count(); ++i) {
     const Counts<Dim> index = grid.index(i);
-    bool inside = true;
-    for (int a = 0; a < Dim; ++a) inside = inside && index[a] >= condition.first[a] && index[a] <= condition.last[a];
-    if (inside) nodes.push_back(i);
+    if (!within_box<Dim>(index, condition.first, condition.last)) continue;
+    if (condition.but_for && within_box<Dim>(index, condition.but_for->front(), condition.but_for->back())) continue;
+    nodes.push_back(i);
   }
   return nodes;
 }
@@ -35,8 +69,10 @@ std::vector<Index> nodes_of(const Grid<Dim>& grid, const NodeCondition<Dim>& con
 template <int Dim>
 void bind_conditions(State<Dim>& state, const std::vector<NodeCondition<Dim>>& conditions) {
   state.held.clear();
-  for (const NodeCondition<Dim>& c : conditions)
+  for (const NodeCondition<Dim>& c : conditions) {
     state.held.push_back({.name = c.name, .axis = c.axis, .nodes = nodes_of(state.grid, c), .velocity = c.velocity});
+    if (c.linear) state.held.back().shares = shares_of(state.grid, *c.linear, state.held.back().nodes);
+  }
   for (const RigidBody<Dim>& body : state.rigid_bodies) {
     state.held.push_back({.name = body.name, .axis = body.axis, .nodes = {}, .velocity = body.velocity});
     state.held.back().nodes.reserve(static_cast<std::size_t>(state.grid.node_count()));
@@ -70,25 +106,27 @@ void move_rigid_points(State<Dim>& state, double time, double dt) {
 template <int Dim>
 void hold_nodes(State<Dim>& state, double time, double dt) {
   for (HeldNodes& held : state.held) {
-    const double v = held.velocity(time);
+    held.speed = velocity_of(state.nodes, held, time);
     double impulse = 0.0;
-    for (const Index i : held.nodes) {
+    for (std::size_t k = 0; k < held.nodes.size(); ++k) {
+      const Index i = held.nodes[k];
       NodeMotion<Dim>& motion = state.nodes.motion[i];
-      const double change = v - motion.velocity[held.axis];
-      impulse += state.nodes.sums[i].mass * change;
+      const double v = held.share(k) * held.speed, change = v - motion.velocity[held.axis];
+      impulse += held.share(k) * state.nodes.sums[i].mass * change;
       motion.velocity[held.axis] = v;
       motion.acceleration[held.axis] += change / dt;
     }
     held.reaction = impulse / dt;
-    state.boundary_work += impulse * v;
+    state.boundary_work += impulse * held.speed;
   }
 }
 
 template <int Dim>
 void hold_velocities(State<Dim>& state, double time) {
   for (const HeldNodes& held : state.held) {
-    const double v = held.velocity(time);
-    for (const Index i : held.nodes) state.nodes.motion[i].velocity[held.axis] = v;
+    const double v = velocity_of(state.nodes, held, time);
+    for (std::size_t k = 0; k < held.nodes.size(); ++k)
+      state.nodes.motion[held.nodes[k]].velocity[held.axis] = held.share(k) * v;
   }
 }
 

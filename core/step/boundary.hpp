@@ -1,18 +1,29 @@
-/// Velocities prescribed on nodes, and the forces that this takes.
+/// Motions that boundaries impose on nodes, and the forces that this takes.
 #pragma once
 
 #include "core/interface/shape_function.hpp"
 #include "core/step/state.hpp"
 
+#include <optional>
+
 namespace riedel {
 
-/// One velocity component prescribed on a box of nodes: a fixed side, a driven platen, or a single pinned node.
+/// A motion that grows from node row to node row along `axis`: 0 in `fixed_row`, 1 in `moving_row`, and beyond, too.
+struct LinearMotion {
+  int axis = 0;
+  Index fixed_row = 0, moving_row = 1;
+};
+
+/// One velocity component imposed on a box of nodes: a fixed side, a driven platen, a single pinned node, or a platen
+/// that is free to move as one.
 template <int Dim>
 struct NodeCondition {
   std::string name;
-  Counts<Dim> first{}, last{};                 ///< corners of the box of nodes, both included
-  int axis = 0;                                ///< the component held
-  std::function<double(double time)> velocity; ///< [m/s]
+  Counts<Dim> first{}, last{};                   ///< corners of the box of nodes, both included
+  int axis = 0;                                  ///< the component held
+  std::function<double(double time)> velocity{}; ///< [m/s]; none: free, one motion for all nodes, by their momentum
+  std::optional<LinearMotion> linear{};          ///< the nodes' shares in the velocity; none: all move alike
+  std::optional<std::array<Counts<Dim>, 2>> but_for{}; ///< corners of a box of nodes inside that is left out
 };
 
 /// @return speed ramped smoothly from zero to `speed` over `ramp_time`
@@ -34,7 +45,9 @@ void find_rigid_nodes(State<Dim>& state, const ShapeFunction<Dim>& scheme);
 template <int Dim>
 void move_rigid_points(State<Dim>& state, double time, double dt);
 
-/// Sets the momentum balance's velocities, and tells the reaction Σ m_i (v − v_free)/Δt and its work.
+/// Sets the momentum balance's velocities v_i = s_i v, s_i being the nodes' shares, and tells the reaction
+/// Σ m_i s_i (v_i − v_free,i)/Δt and its work. Where v is not given it is Σ m_i s_i v_free,i / Σ m_i s_i², for which
+/// the reaction vanishes.
 /// @param time end of the step [s]
 template <int Dim>
 void hold_nodes(State<Dim>& state, double time, double dt);

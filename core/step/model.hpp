@@ -18,12 +18,12 @@ using StepFunction = void (*)(State<Dim>& state, const Model<Dim>& model, double
 /// Whose spin turns stress and tensor state: W, or that of R in F = R U.
 enum class ObjectiveRate { jaumann, green_naghdi };
 
-/// A grid that follows a platen: along `axis` its cells shrink so that node row `driven_row` stays on the platen, while
-/// `fixed_row` stays where it is.
+/// A grid that follows a platen: along `axis` its cells stretch so that node row `moving_row` stays on the platen,
+/// while `fixed_row` stays where it is.
 struct MovingGrid {
   int axis = 1;
-  Index fixed_row = 0, driven_row = 0;
-  std::function<double(double time)> velocity; ///< of the platen [m/s]
+  Index fixed_row = 0, moving_row = 0;
+  std::string platen; ///< the condition that moves it
 };
 
 /// A pressure carried by points on a surface: f_p = −pressure J F⁻ᵀ A_p.
@@ -40,9 +40,9 @@ struct Model {
   StepFunction<Dim> step = nullptr;
   ObjectiveRate objective_rate = ObjectiveRate::jaumann;
   std::vector<NodeCondition<Dim>> conditions;
-  std::optional<MovingGrid> moving_grid;
-  Vec<Dim> gravity = Vec<Dim>::Zero(); ///< [m/s²]
-  double confining_pressure = 0.0;     ///< p of the virtual stress −p I that acts outside the bodies [Pa]
+  std::vector<MovingGrid> moving_grids; ///< one for an axis at most
+  Vec<Dim> gravity = Vec<Dim>::Zero();  ///< [m/s²]
+  double confining_pressure = 0.0;      ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfacePressure<Dim>> surface_pressures;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
   double flip = 0.98;                ///< share of FLIP in the velocity update, the rest is PIC [-]

@@ -54,7 +54,7 @@ void Simulation<Dim>::step() {
   model_.step(state_, model_, dt);
   state_.load_work += surface_work(state_, model_, dt);
   move_rigid_points(state_, state_.time + dt, dt);
-  follow_platen(dt);
+  follow_platens(dt);
   state_.time += dt;
   ++state_.step;
 }
@@ -75,18 +75,19 @@ void Simulation<Dim>::survey_bodies() {
 }
 
 template <int Dim>
-void Simulation<Dim>::follow_platen(double dt) {
-  if (!model_.moving_grid) return;
-  const MovingGrid& moving = *model_.moving_grid;
+void Simulation<Dim>::follow_platens(double dt) {
   Grid<Dim>& grid = state_.grid;
-  const int a = moving.axis;
-  const double fixed = grid.origin[a] + moving.fixed_row * grid.cell[a];
-  const Index rows = moving.driven_row - moving.fixed_row;
-  const double before = grid.cell[a];
-  grid.cell[a] += moving.velocity(state_.time + dt) * dt / rows;
-  grid.stretch[a] *= grid.cell[a] / before;
-  grid.origin[a] = fixed - moving.fixed_row * grid.cell[a];
-  if (!(grid.cell[a] > 0.0)) throw RunError("the platen has closed the grid at time " + exact_text(state_.time) + " s");
+  for (const MovingGrid& moving : model_.moving_grids) {
+    const int a = moving.axis;
+    const double fixed = grid.origin[a] + moving.fixed_row * grid.cell[a];
+    const Index rows = moving.moving_row - moving.fixed_row;
+    const double before = grid.cell[a];
+    grid.cell[a] += held(moving.platen).speed * dt / rows;
+    grid.stretch[a] *= grid.cell[a] / before;
+    grid.origin[a] = fixed - moving.fixed_row * grid.cell[a];
+    if (!(grid.cell[a] > 0.0))
+      throw RunError("the platen has closed the grid at time " + exact_text(state_.time) + " s");
+  }
 }
 
 template <int Dim>
@@ -110,9 +111,9 @@ Energies Simulation<Dim>::energies() const {
 }
 
 template <int Dim>
-double Simulation<Dim>::reaction(std::string_view name) const {
+const HeldNodes& Simulation<Dim>::held(std::string_view name) const {
   for (const HeldNodes& held : state_.held)
-    if (held.name == name) return held.reaction;
+    if (held.name == name) return held;
   throw std::out_of_range("no held nodes are called '" + std::string(name) + "'");
 }
 

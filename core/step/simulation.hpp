@@ -29,12 +29,12 @@ public:
   [[nodiscard]] double crossing_time() const { return crossing_time_; }
   [[nodiscard]] std::int64_t out_of_bounds() const { return out_of_bounds_; } ///< most points at once so far
   [[nodiscard]] Energies energies() const;
-  /// Force on the material at the held nodes called `name`, along their axis, in the last step [N or N/m].
-  [[nodiscard]] double reaction(std::string_view name) const;
+  /// The held nodes called `name`: their velocity and the force that it took in the last step.
+  [[nodiscard]] const HeldNodes& held(std::string_view name) const;
 
 private:
   void survey_bodies();
-  void follow_platen(double dt);
+  void follow_platens(double dt);
   [[nodiscard]] double potential_of_loads() const;
 
   Model<Dim> model_;

@@ -40,13 +40,17 @@ struct RigidBody {
   std::function<double(double time)> velocity{}; ///< [m/s]
 };
 
-/// Nodes whose velocity along one axis is prescribed.
+/// Nodes whose velocities along one axis are one motion's: each its share of it.
 struct HeldNodes {
   std::string name;
   int axis = 0;
   std::vector<Index> nodes;
-  std::function<double(double time)> velocity; ///< [m/s]
-  double reaction = 0.0;                       ///< force on the material along the axis in this step [N or N/m]
+  std::vector<double> shares{};                  ///< by node; empty: all 1
+  std::function<double(double time)> velocity{}; ///< [m/s]; none: that of the nodes' momentum
+  double speed = 0.0;                            ///< velocity in this step [m/s]
+  double reaction = 0.0;                         ///< force on the material along the axis in this step [N or N/m]
+
+  [[nodiscard]] double share(std::size_t k) const { return shares.empty() ? 1.0 : shares[k]; }
 };
 
 /// A block's share of what the stress update tells.

@@ -61,6 +61,53 @@ TEST(NodeCondition, TakesTheNodesOfABoxBothCornersIncluded) {
               UnorderedElementsAre(13, 15, 17));
 }
 
+TEST(NodeCondition, LeavesOutABoxInside) {
+  const HeldGrid held({});
+  EXPECT_THAT(nodes_of<2>(held.state.grid,
+                          {.name = "", .last = {3, 2}, .velocity = still, .but_for = {{Counts<2>{0, 1}, {2, 1}}}}),
+              UnorderedElementsAre(0, 1, 2, 3, 7, 8, 9, 10, 11));
+}
+
+TEST(HeldNodes, OfALinearMotionGetTheirShareBeyondItsRowsToo) {
+  const HeldGrid given({});
+  HeldGrid held({{.name = "x", .last = {3, 2}, .velocity = down, .linear = LinearMotion{0, 1, 3}}});
+  hold_nodes(held.state, end, dt);
+  double force = 0.0;
+  for (Index i = 0; i < 12; ++i) {
+    const double share = (i % 4 - 1) / 2.0;
+    EXPECT_EQ(held.state.nodes.motion[i].velocity[0], -2.0 * share) << i;
+    EXPECT_EQ(held.state.nodes.motion[i].velocity[1], given.state.nodes.motion[i].velocity[1]) << i;
+    force += share * (1.0 + i) * (-2.0 * share - given.state.nodes.motion[i].velocity[0]) / dt;
+  }
+  EXPECT_NEAR(held.state.held[0].reaction, force, 1e-12 * std::abs(force));
+  EXPECT_NEAR(held.state.boundary_work, force * -2.0 * dt, 1e-12 * std::abs(force)) << "the force goes with the motion";
+}
+
+TEST(HeldNodes, WithoutAGivenVelocityKeepTheirMomentumAlongTheMotion) {
+  const std::vector<NodeCondition<2>> plate{
+      {.name = "plate", .last = {3, 2}, .axis = 1, .linear = LinearMotion{1, 0, 2}}};
+  const HeldGrid given({});
+  HeldGrid held(plate);
+  hold_nodes(held.state, end, dt);
+  double momentum = 0.0, mass = 0.0;
+  for (Index i = 0; i < 12; ++i) {
+    const double share = (i / 4) / 2.0;
+    momentum += share * (1.0 + i) * given.state.nodes.motion[i].velocity[1];
+    mass += share * share * (1.0 + i);
+  }
+  EXPECT_NEAR(held.state.held[0].speed, momentum / mass, 1e-14);
+  EXPECT_NEAR(held.state.held[0].reaction, 0.0, 1e-11 * mass / dt);
+  EXPECT_NEAR(held.state.boundary_work, 0.0, 1e-12);
+  EXPECT_EQ(held.state.nodes.motion[11].velocity[1], held.state.held[0].speed);
+  EXPECT_EQ(held.state.nodes.motion[6].velocity[1], 0.5 * held.state.held[0].speed);
+  EXPECT_EQ(held.state.nodes.motion[2].velocity[1], 0.0);
+
+  HeldGrid massless(plate);
+  for (Index i = 0; i < 12; ++i) massless.state.nodes.sums[i].mass = 0.0;
+  hold_nodes(massless.state, end, dt);
+  EXPECT_EQ(massless.state.held[0].speed, 0.0);
+}
+
 TEST(HeldNodes, GetTheirVelocityAlongOneAxisAndAnAccelerationThatLeadsToIt) {
   HeldGrid held({{.name = "top", .first = {0, 2}, .last = {3, 2}, .axis = 1, .velocity = down}});
   const AlignedVector<NodeMotion<2>> before = held.state.nodes.motion;

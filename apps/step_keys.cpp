@@ -1,0 +1,54 @@
+#include "apps/step_keys.hpp"
+
+#include "core/step/musl.hpp"
+#include "core/step/usf.hpp"
+#include "core/step/usl.hpp"
+
+namespace riedel {
+
+namespace {
+
+template <int Dim>
+StepFunction<Dim> step_named(const std::string& order) {
+  if (order == "musl") return musl_step<Dim>;
+  if (order == "usl") return usl_step<Dim>;
+  return usf_step<Dim>;
+}
+
+} // namespace
+
+Keys step_keys() {
+  const Bounds any{};
+  const Bounds up_to_one{.lower = 0.0, .upper = 1.0, .lower_included = false};
+  return {
+      {"time.order",
+       "musl",
+       "",
+       any,
+       "when stresses are updated: last, from re-mapped velocities; last; or first",
+       {"musl", "usl", "usf"}},
+      {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
+      {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
+      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
+      {"time.objective_rate",
+       "jaumann",
+       "",
+       any,
+       "rate of the stress that does not see rotations: with the spin of the velocities, or of R in F = R U",
+       {"jaumann", "green_naghdi"}},
+  };
+}
+
+template <int Dim>
+void set_step(Model<Dim>& model, const Values& v) {
+  model.step = step_named<Dim>(v.text("time.order"));
+  if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
+  model.flip = v.number("time.flip");
+  model.cfl = v.number("time.cfl");
+  if (!v.is_text("time.step")) model.fixed_time_step = v.number("time.step");
+}
+
+template void set_step<2>(Model<2>&, const Values&);
+template void set_step<3>(Model<3>&, const Values&);
+
+} // namespace riedel

@@ -1,0 +1,16 @@
+/// The keys of the time step, which every simulation takes, and what they set.
+#pragma once
+
+#include "core/base/parameters.hpp"
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// `time.order`, `time.step`, `time.cfl`, `time.flip`, `time.objective_rate`.
+Keys step_keys();
+
+/// What these keys say of a model.
+template <int Dim>
+void set_step(Model<Dim>& model, const Values& values);
+
+} // namespace riedel
