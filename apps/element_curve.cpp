@@ -54,24 +54,33 @@ std::vector<double> element_numbers(const ElementRow& r, const std::string& test
 nlohmann::ordered_json element_summary(const ElementCurve& curve) {
   const auto peak = std::ranges::max_element(curve.rows, {}, &ElementRow::phi_mob);
   const ElementRow& last = curve.rows.back();
-  return {{"status", !curve.failure.empty() ? "failed"
-                     : curve.interrupted    ? "interrupted"
-                                            : "done"},
-          {"reason", curve.failure},
-          {"steps", curve.steps},
-          {"rows", curve.rows.size()},
-          {"phi_peak_deg", peak->phi_mob},
-          {"eps_1_at_peak", peak->eps[0]},
-          {"gamma_at_peak", peak->gamma},
-          {"phi_final_deg", last.phi_mob},
-          {"void_ratio_final", last.void_ratio},
-          {"eps_1_final", last.eps[0]},
-          {"gamma_final", last.gamma},
-          {"sigma_1_final_Pa", last.sigma[0]},
-          {"evaluated_twice", curve.report.evaluated_twice},
-          {"substepped", curve.report.substepped},
-          {"low_pressure", curve.report.low_pressure},
-          {"separated", curve.report.separated}};
+  nlohmann::ordered_json summary{{"status", !curve.failure.empty() ? "failed"
+                                            : curve.interrupted    ? "interrupted"
+                                                                   : "done"},
+                                 {"reason", curve.failure},
+                                 {"steps", curve.steps},
+                                 {"rows", curve.rows.size()},
+                                 {"phi_peak_deg", peak->phi_mob},
+                                 {"eps_1_at_peak", peak->eps[0]},
+                                 {"gamma_at_peak", peak->gamma},
+                                 {"phi_final_deg", last.phi_mob},
+                                 {"void_ratio_final", last.void_ratio},
+                                 {"eps_1_final", last.eps[0]},
+                                 {"gamma_final", last.gamma},
+                                 {"sigma_1_final_Pa", last.sigma[0]},
+                                 {"evaluated_twice", curve.report.evaluated_twice},
+                                 {"substepped", curve.report.substepped},
+                                 {"low_pressure", curve.report.low_pressure},
+                                 {"separated", curve.report.separated}};
+  if (curve.energies) {
+    const auto& [kinetic, internal, external, ratio, spread] = *curve.energies;
+    summary["kinetic_J"] = kinetic;
+    summary["internal_J"] = internal;
+    summary["external_J"] = external;
+    summary["kinetic_over_internal_max"] = ratio;
+    summary["stress_spread_max"] = spread;
+  }
+  return summary;
 }
 
 } // namespace riedel

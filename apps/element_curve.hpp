@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 namespace riedel {
 
@@ -21,13 +22,21 @@ struct ElementRow {
   double phi_principal = 0.0;    ///< asin((σ_I − σ_III)/(σ_I + σ_III)) [deg]
 };
 
+/// What tells whether a specimen stayed quasi-static and homogeneous.
+struct ElementEnergies {
+  double kinetic = 0.0, internal = 0.0, external = 0.0; ///< at the end [J, or J/m in plane strain]
+  double kinetic_over_internal = 0.0;                   ///< greatest, from a strain of 0.5 % on [-]
+  double stress_spread = 0.0; ///< greatest distance of a point's stress from the mean, over the mean [-]
+};
+
 struct ElementCurve {
   std::string test;
-  std::vector<ElementRow> rows;
-  std::string failure; ///< why the test stopped early; empty: it did not
+  std::vector<ElementRow> rows{};
+  std::string failure{}; ///< why the test stopped early; empty: it did not
   bool interrupted = false;
   std::int64_t steps = 0;
-  MaterialReport report;
+  MaterialReport report{};
+  std::optional<ElementEnergies> energies{}; ///< of a specimen; a point has none
 };
 
 /// What phi_mob is: that of the principal stresses; asin((σ_1 − σ_2)/(σ_1 + σ_2)), which leaves out the stress out of

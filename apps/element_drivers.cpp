@@ -7,6 +7,7 @@ namespace riedel {
 const std::vector<ElementDriver>& element_drivers() {
   static const std::vector<ElementDriver> all{
       {"point", "one point under mixed control, without a grid", run_point_driver},
+      {"mpm", "a specimen of cells between plates, by the material point method", run_mpm_driver},
   };
   return all;
 }

@@ -27,4 +27,7 @@ const ElementDriver& element_driver(const Values& values);
 /// One point under mixed control.
 ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
 
+/// A specimen of cells between smooth plates, under any scheme.
+ElementCurve run_mpm_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+
 } // namespace riedel

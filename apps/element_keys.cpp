@@ -2,8 +2,10 @@
 
 #include "apps/element_drivers.hpp"
 #include "apps/path_keys.hpp"
+#include "apps/step_keys.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace riedel {
 
@@ -37,7 +39,9 @@ Keys problem_keys(const std::string& test) {
   if (test == "path") {
     append(keys, {{"initial.sigma", std::vector{100e3, 100e3, 100e3}, "Pa", at_least(0),
                    "stresses along 1, 2, 3 at the start, compression positive"},
-                  {"initial.tau", 0.0, "Pa", any, "shear stress at the start"}});
+                  {"initial.tau", 0.0, "Pa", any, "shear stress at the start"},
+                  {"initial.intergranular_strain", std::vector{0.0, 0.0, 0.0}, "-", any,
+                   "intergranular strain along 1, 2, 3 at the start, compression positive"}});
     return keys;
   }
   append(keys, start_keys(test));
@@ -45,11 +49,36 @@ Keys problem_keys(const std::string& test) {
   return keys;
 }
 
-Keys method_keys() {
+Keys point_keys() {
   return {{"driver.kind", "point", "", any, "what carries the test out", element_driver_names()},
           {"driver.tolerance", 1e-6, "-", within(0, 0.1),
-           "point: error allowed in a step, relative to the stress and to the strain of the step"},
-          {"output.every_strain", 5e-4, "-", within(0, 1),
+           "point: error allowed in a step, relative to the stress and to the strain of the step"}};
+}
+
+/// Of the specimen that the mpm driver runs.
+Keys mpm_keys(const Catalogue& catalogue) {
+  Keys keys{{"scheme", "gimp", "", any, "interpolation between points and grid", catalogue.in_2d.schemes.names()},
+            {"specimen.size", 0.01, "m", more_than(0), "edge of the specimen, a square or a cube"},
+            {"specimen.points_per_cell", std::int64_t{2}, "-", between(1, 10),
+             "material points in a cell, per direction; with one a cell's stretching has no inertia"},
+            {"grid.cells", std::int64_t{1}, "-", between(1, 1000), "cells along each edge of the specimen"},
+            {"grid.dimensions",
+             "auto",
+             "-",
+             between(2, 3),
+             "2: plane strain; auto: 3 for the triaxial test, 2 for the others",
+             {"auto"}},
+            {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
+            {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
+  append(keys, step_keys());
+  // PIC drags on the sides as they move out; 0.98 leaves 0.07 degrees at the peak in a single cell, and this 0.02.
+  std::ranges::find(keys, "time.flip", &Key::name)->default_value = 0.995;
+  for (Key& key : keys) key.doc = "mpm: " + key.doc;
+  return keys;
+}
+
+Keys output_keys() {
+  return {{"output.every_strain", 5e-4, "-", within(0, 1),
            "strain between rows of element.csv at most; rows are closer where the stress turns"},
           {"output.plots", true, "", any, "write pictures (PNG)"}};
 }
@@ -70,6 +99,38 @@ StartPressure start_pressure(const Values& v) {
   return {v.number("loading.confining_pressure"), "loading.confining_pressure", "confining pressure"};
 }
 
+/// A start with intergranular strain needs a law that has it, and lies in its elastic range.
+void check_intergranular_strain(const Values& v, std::vector<Finding>& errors) {
+  double squares = 0.0;
+  for (const double h : v.numbers("initial.intergranular_strain")) squares += h * h;
+  if (squares == 0.0) return;
+  if (!v.has("material.intergranular_strain") || !v.flag("material.intergranular_strain"))
+    errors.push_back({{"initial.intergranular_strain"},
+                      "the law carries no intergranular strain; allowed: 0, or material.intergranular_strain = true"});
+  else if (std::sqrt(squares) > v.number("material.R") * (1.0 + 1e-9))
+    errors.push_back({{"initial.intergranular_strain", "material.R"},
+                      "its norm, " + rounded(std::sqrt(squares)) +
+                          ", is out of range; allowed: at most R = " + rounded(v.number("material.R"))});
+}
+
+/// What the mpm driver cannot do.
+void check_specimen(const Values& v, std::vector<Finding>& errors) {
+  const std::string& test = v.text("test");
+  if (test == "path") {
+    errors.push_back(
+        {{"driver.kind"},
+         "\"mpm\" carries out no path: its specimen stands between plates; allowed: \"point\", or one of the "
+         "tests oedometer, triaxial, shear, biaxial"});
+    return;
+  }
+  if (v.is_text("grid.dimensions")) return;
+  const double dimensions = v.number("grid.dimensions");
+  if (dimensions != 2.0 && dimensions != 3.0)
+    errors.push_back({{"grid.dimensions"}, exact_text(dimensions) + " is no number of dimensions; allowed: 2, 3"});
+  else if (test == "triaxial" && dimensions == 2.0)
+    errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a triaxial test is not; allowed: 3, \"auto\""});
+}
+
 Findings check_element(const Values& v) {
   Findings found;
   check_limits_of_void_ratio(v, found.errors);
@@ -81,7 +142,11 @@ Findings check_element(const Values& v) {
                                 rounded(least) + " Pa (material.minimum_pressure): below it the grains are apart"});
   else
     check_void_ratio(v, "specimen.void_ratio", start, found.errors);
-  if (v.text("test") == "path") check_path(v, found.errors);
+  if (v.text("test") == "path") {
+    check_path(v, found.errors);
+    check_intergranular_strain(v, found.errors);
+  }
+  if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
   return found;
 }
 
@@ -96,7 +161,9 @@ Keys element_keys(const Catalogue& catalogue, const std::string& test, std::stri
   Keys keys = problem_keys(test);
   append_material(keys, catalogue, model);
   refine_law(keys);
-  append(keys, method_keys());
+  append(keys, point_keys());
+  if (test != "path") append(keys, mpm_keys(catalogue));
+  append(keys, output_keys());
   return keys;
 }
 

@@ -175,6 +175,44 @@ TEST_F(ElementProgram, RefusesWhatItDoesNotKnow) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
+TEST_F(ElementProgram, RunsASpecimenOfCellsAsWell) {
+  ASSERT_EQ(element("cells", {"biaxial", "--driver", "mpm", "--set", "scheme=cpdi", "--set", "grid.cells=2"}).code, 0);
+  const json s = summary("cells");
+  EXPECT_EQ(s["driver"], "mpm");
+  EXPECT_NEAR(s["phi_peak_deg"].get<double>(), 59.09, 0.05);
+  for (const char* key : {"kinetic_J", "internal_J", "external_J", "kinetic_over_internal_max", "stress_spread_max"})
+    EXPECT_GT(s[key].get<double>(), 0.0) << key;
+  ASSERT_EQ(element("again", {"biaxial", (folder_ / "cells" / "case.toml").string()}).code, 0);
+  EXPECT_EQ(file_content(folder_ / "cells" / "element.csv"), file_content(folder_ / "again" / "element.csv"));
+  ASSERT_EQ(element("point", {"biaxial"}).code, 0);
+  EXPECT_FALSE(summary("point").contains("kinetic_J")) << "a point has no mass";
+}
+
+TEST_F(ElementProgram, RefusesASpecimenThatATestCannotHave) {
+  const auto says = [&](const Words& words) {
+    Outcome outcome = element("none", words);
+    EXPECT_EQ(outcome.code, 2);
+    return outcome.err;
+  };
+  const std::string path = folder_.file("path.toml", "[[stage]]\neps_1 = 0.01\neps_2 = 'hold'\neps_3 = 'hold'\n");
+  EXPECT_THAT(says({"path", path, "--driver", "mpm"}), HasSubstr("carries out no path"));
+  EXPECT_THAT(says({"triaxial", "--driver", "mpm", "--set", "grid.dimensions=2"}), HasSubstr("allowed: 3"));
+  EXPECT_THAT(says({"biaxial", "--driver", "mpm", "--set", "grid.dimensions=2.5"}), HasSubstr("allowed: 2, 3"));
+  EXPECT_THAT(says({"biaxial", "--driver", "mpm", "--set", "scheme=sinc"}), HasSubstr("cpdi"));
+  EXPECT_THAT(says({"biaxial", "--driver", "fem"}), HasSubstr("mpm"));
+}
+
+TEST_F(ElementProgram, RefusesAnIntergranularStrainThatTheLawCannotHave) {
+  const std::string path = folder_.file("path.toml", "[initial]\nintergranular_strain = [3e-4, 0, 0]\n[[stage]]\n"
+                                                     "eps_1 = 0.01\neps_2 = 'hold'\neps_3 = 'hold'\n");
+  const Outcome without = element("none", {"path", path});
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, AllOf(HasSubstr("path.toml:2"), HasSubstr("carries no intergranular strain")));
+  const Outcome beyond = element("none", {"path", path, "--set", "material.intergranular_strain=true"});
+  EXPECT_EQ(beyond.code, 2);
+  EXPECT_THAT(beyond.err, HasSubstr("allowed: at most R = 0.0001"));
+}
+
 TEST_F(ElementProgram, KeepsResultsUnlessForced) {
   const Words words{"oedometer", "--set", "output.plots=false"};
   ASSERT_EQ(element("out", words).code, 0);
