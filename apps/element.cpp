@@ -86,6 +86,10 @@ void write_summary(const Run& run, const ElementCurve& curve, double wall) {
   write_atomically(run.folder / "summary.json", all.dump(2) + "\n");
 }
 
+std::unique_ptr<Material> law_of(const Values& values, const Catalogue& catalogue) {
+  return catalogue.materials.find(values.text("material.model")).make(values.section("material"));
+}
+
 /// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
 ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt, bool imported) {
   const Values& values = run.checked.values;
@@ -96,7 +100,7 @@ ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interru
   std::optional<IncrementalOutput> output;
   const auto write_row = [&](const ElementRow& row, const LawPoint& point) {
     history.add(element_numbers(row, test));
-    if (imported && !output) output.emplace(run.folder / "output.txt", point.state.size());
+    if (imported && !output) output.emplace(run.folder / "output.txt", *law_of(values, catalogue));
     if (output) output->add(point);
   };
   const ElementWatch watch{.at_row = write_row, .stop = [&] { return static_cast<bool>(interrupt); }};

@@ -24,7 +24,8 @@ const std::vector<Order>& orders() {
   static const std::vector<Order> all{{"von_wolffersdorff", sand}, {"gudehus_bauer", sand}};
   return all;
 }
-constexpr double least_m_R = 0.5;               ///< a tenth parameter, m_R, above it puts intergranular strain to work
+constexpr std::array<const char*, 5> intergranular{"m_R", "m_T", "R", "beta_R", "chi"}; ///< behind those of the law
+constexpr double least_m_R = 0.5;               ///< m_R above it puts intergranular strain to work
 constexpr std::size_t void_ratio_state = 7 - 1; ///< statev(7); before it, the intergranular strain
 
 /// A key of the case, at the place that it was read from.
@@ -58,8 +59,15 @@ void read_parameters(CaseFile& given, const std::filesystem::path& path, const s
   }
   if (count <= static_cast<double>(order.names.size())) return;
   const double m_R = lines.number("m_R");
-  if (m_R > least_m_R)
-    lines.refuse("intergranular strain (m_R = " + exact_text(m_R) + ") is not supported; m_R = 0 is");
+  if (m_R <= least_m_R) return;
+  if (count < static_cast<double>(order.names.size() + intergranular.size()))
+    lines.refuse("m_R = " + exact_text(m_R) + " asks for intergranular strain, which needs " +
+                 std::to_string(order.names.size() + intergranular.size()) + " parameters");
+  set(given, lines, "material.intergranular_strain", "true");
+  set(given, lines, "material.m_R", exact_text(m_R));
+  for (const char* parameter : intergranular)
+    if (parameter != intergranular.front())
+      set(given, lines, std::string("material.") + parameter, exact_text(lines.number(parameter)));
 }
 
 void read_initial_conditions(CaseFile& given, const std::filesystem::path& path) {
@@ -76,11 +84,14 @@ void read_initial_conditions(CaseFile& given, const std::filesystem::path& path)
   set(given, lines, "initial.tau", exact_text(stress[3]));
   const auto states = static_cast<std::size_t>(lines.number("the number of state variables"));
   if (states <= void_ratio_state) lines.refuse("needs 7 state variables or more: the void ratio is statev(7)");
-  for (std::size_t s = 0; s <= void_ratio_state; ++s) {
+  std::string strain;
+  for (std::size_t s = 0; s < void_ratio_state; ++s) {
     const double x = lines.number("statev(" + std::to_string(s + 1) + ")");
-    if (s < void_ratio_state && x != 0.0) lines.refuse("an intergranular strain at the start is not supported; only 0");
-    if (s == void_ratio_state) set(given, lines, "specimen.void_ratio", exact_text(x));
+    if (s > 2 && x != 0.0) lines.refuse("a shear of the intergranular strain at the start is not supported; only 0");
+    if (s < 3) strain += (strain.empty() ? "[" : ",") + exact_text(0.0 - x);
   }
+  set(given, lines, "initial.intergranular_strain", strain + "]");
+  set(given, lines, "specimen.void_ratio", exact_text(lines.number("statev(7), the void ratio")));
 }
 
 /// One of the six conditions of a step in its variables: the strain's measure and the stress's, with signs.
@@ -208,9 +219,16 @@ CaseFile import_incremental_driver(const std::filesystem::path& folder, const st
   return given;
 }
 
-IncrementalOutput::IncrementalOutput(const std::filesystem::path& path, std::size_t states) : file_(path) {
+IncrementalOutput::IncrementalOutput(const std::filesystem::path& path, const Material& law) : file_(path) {
+  const auto states = static_cast<std::size_t>(state_components(law.states()));
+  const int h = state_column(law.states(), "intergranular_strain"), e = state_column(law.states(), "void_ratio");
+  for (int c = 0; c < 6; ++c) columns_.push_back(h < 0 ? -1 : h + c);
+  columns_.push_back(e);
+  for (int c = 0; c < static_cast<int>(states); ++c)
+    if (c != e && (h < 0 || c < h || c >= h + 6)) columns_.push_back(c);
   std::string header = " time(1) time(2)";
-  for (const auto& [name, count] : {std::pair{" stran(", std::size_t{6}}, {" stress(", 6}, {" statev(", states}})
+  for (const auto& [name, count] :
+       {std::pair{" stran(", std::size_t{6}}, {" stress(", 6}, {" statev(", columns_.size()}})
     for (std::size_t i = 1; i <= count; ++i) header += name + std::to_string(i) + ")";
   file_.write(header + "\n");
 }
@@ -227,7 +245,10 @@ void IncrementalOutput::add(const LawPoint& point) {
   print(point.time);
   for (std::size_t c = 0; c < 6; ++c) print(c < 3 ? point.strain.m[c] : root * point.strain.m[c]);
   for (std::size_t c = 0; c < 6; ++c) print(point.stress.m[c] / (c < 3 ? kilo : root * kilo));
-  for (const double x : point.state) print(x);
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const double x = columns_[c] < 0 ? 0.0 : point.state[static_cast<std::size_t>(columns_[c])];
+    print(c >= 3 && c < 6 ? root * x : x); // shears of the intergranular strain, as of strain
+  }
   file_.write(text + "\n");
 }
 

@@ -13,15 +13,17 @@ namespace riedel {
 /// @throws InputError with file and line for what cannot be read or is not supported
 CaseFile import_incremental_driver(const std::filesystem::path& folder, const std::optional<std::string>& model);
 
-/// The columns time(1) time(2) stran(1..6) stress(1..6) statev(1..), tension positive, stresses in kPa.
+/// The columns time(1) time(2) stran(1..6) stress(1..6) statev(1..), tension positive, stresses in kPa. The state is
+/// that of UMATs for hypoplastic sand: intergranular strain (0 of a law without), void ratio, and then what else there
+/// is.
 class IncrementalOutput {
 public:
-  /// @param states number of the law's state variables, written in its own order
-  IncrementalOutput(const std::filesystem::path& path, std::size_t states);
+  IncrementalOutput(const std::filesystem::path& path, const Material& law);
   void add(const LawPoint& point);
 
 private:
   OutputFile file_;
+  std::vector<int> columns_; ///< of the law's state for each statev; −1: it has none
 };
 
 } // namespace riedel

@@ -88,11 +88,42 @@ TEST_F(IncrementalDriver, GivesTheReferenceCurveInItsOwnColumns) {
   while (std::getline(lines, line)) last = line;
   std::istringstream numbers(last);
   std::vector<double> row{std::istream_iterator<double>(numbers), {}};
-  ASSERT_EQ(row.size(), 2U + 6U + 6U + 2U);
+  ASSERT_EQ(row.size(), 2U + 6U + 6U + 8U);
   EXPECT_NEAR(row[2], -wanted.at("eps11_log").back(), 1e-9);
   EXPECT_NEAR(row[8], -1e-3 * wanted.at("sig11_Pa").back(), 1e-5 * 3000);
   EXPECT_NEAR(row[9], -1e-3 * wanted.at("sig22_Pa").back(), 1e-5 * 3000);
-  EXPECT_NEAR(row[14], wanted.at("e").back(), 1e-7);
+  EXPECT_EQ(row[14], 0.0) << "no intergranular strain";
+  EXPECT_NEAR(row[14 + 6], wanted.at("e").back(), 1e-7);
+}
+
+TEST_F(IncrementalDriver, BringsIntergranularStrainAndItsStart) {
+  write("*OedometricE1\n100 10 1\n-0.01\n", -100.0);
+  std::string more = parameters_ + "5.0 m_R\n2.0 m_T\n2d-4 R\n0.4 beta_R\n5 chi\n";
+  more.replace(more.find("\n9\n"), 3, "\n14\n");
+  folder_.file("parameters.inp", more);
+  folder_.file("initialconditions.inp", "6\n-100\n-100\n-100\n0\n0\n0\n7\n-1d-4\n1e-5\n0\n0\n0\n0\n0.6\n");
+  const CheckedCase given = imported();
+  EXPECT_TRUE(given.values.flag("material.intergranular_strain"));
+  EXPECT_EQ(given.values.number("material.R"), 2e-4);
+  EXPECT_EQ(given.values.number("material.chi"), 5.0);
+  EXPECT_EQ(given.values.numbers("initial.intergranular_strain"), (std::vector{1e-4, -1e-5, 0.0}));
+  ASSERT_EQ(run(folder_, {"element", "path", "--import", folder_.path().string(), "--out", (folder_ / "out").string(),
+                          "--set", "output.plots=false"})
+                .code,
+            0);
+  std::istringstream lines(file_content(folder_ / "out" / "output.txt"));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  std::istringstream first(line);
+  std::vector<double> row{std::istream_iterator<double>(first), {}};
+  ASSERT_EQ(row.size(), 2U + 6U + 6U + 8U);
+  EXPECT_EQ(row[14], -1e-4);
+  EXPECT_EQ(row[15], 1e-5);
+  while (std::getline(lines, line))
+    if (!line.empty()) first = std::istringstream(line);
+  row.assign(std::istream_iterator<double>(first), {});
+  EXPECT_NEAR(row[14], -2e-4, 1e-8) << "mobilised along the path: h_11 = -R";
 }
 
 TEST_F(IncrementalDriver, TellsFileAndLineOfWhatIsNotSupported) {
@@ -124,7 +155,9 @@ TEST_F(IncrementalDriver, TellsOfParametersAndStartsThatAreNotSupported) {
   EXPECT_THAT(with("parameters.inp", "gudehus_bauer\n9\n30\n5\n"), HasSubstr("parameters.inp:4: p_t = 5.0"));
   std::string more = parameters_ + "5.0 m_R\n";
   more.replace(more.find("\n9\n"), 3, "\n14\n");
-  EXPECT_THAT(with("parameters.inp", more), HasSubstr("parameters.inp:12: intergranular strain (m_R = 5.0)"));
+  EXPECT_THAT(with("parameters.inp", more), HasSubstr("parameters.inp:12: the file ends where m_T should stand"));
+  more.replace(more.find("\n14\n"), 4, "\n12\n");
+  EXPECT_THAT(with("parameters.inp", more), HasSubstr("parameters.inp:12: m_R = 5.0 asks for intergranular strain"));
   EXPECT_THAT(with("initialconditions.inp", "6\n-1\n-1\n-1\n0\n0\n0\n1\n0.6\n"),
               HasSubstr("initialconditions.inp:8: needs 7 state variables"));
   write("*PureRelaxation\n1 1 1\n", -100.0, "0.2");
