@@ -7,7 +7,7 @@ Keys IntegrationControl::keys() {
            .default_value = 1e-4,
            .unit = "-",
            .bounds = within(0.0, 0.1),
-           .doc = "error allowed in the stress of one sub-step, relative"}};
+           .doc = "error of stress and state variables allowed in one step, relative"}};
 }
 
 Keys IntegrationControl::frictional_keys() {

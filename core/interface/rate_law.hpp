@@ -1,13 +1,15 @@
 /// Turns a rate equation, written for one point, into a law for blocks of points.
 #pragma once
 
-#include "core/interface/rate_law_traits.hpp"
+#include "core/interface/runge_kutta.hpp"
+
+#include <optional>
 
 namespace riedel {
 
 /// How the integration is controlled; every rate law takes these parameters beside its own.
 struct IntegrationControl {
-  double tolerance = 1e-4;       ///< error allowed in the stress of one sub-step, relative [-]
+  double tolerance = 1e-4;       ///< error of stress and state allowed in one step, relative [-]
   double minimum_pressure = 0.0; ///< p below which a frictional law returns or separates [Pa]; 0: no such limit
 
   static Keys keys();            ///< `tolerance`
@@ -20,8 +22,10 @@ struct IntegrationControl {
 ///  takes
 ///    one evaluation of the rate (Euler). Euler's method runs half a step behind; where a material forgets its past the
 ///    stress stays within twice the tolerance of the exact path, however many steps are taken.
-///  - Any other takes two (Heun), and the difference of the two rates is its error.
-///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps.
+///  - Any other takes two (Heun).
+///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps of Bogacki
+///    and Shampine's pair.
+/// The error of a step is the difference of its pair's two answers, in the stress or in a state variable, relative.
 /// Eight points at a time take the first two; which one a point takes depends on that point alone.
 ///
 /// A law derives from RateLaw<Law, States>, States being the number of columns of its own state variables (a scalar has
@@ -57,11 +61,6 @@ private:
     double time;
   };
   template <class Real>
-  struct Increment {
-    Point<Real> end;
-    Real error; ///< relative to the stress
-  };
-  template <class Real>
   struct Trial { ///< a step without sub-steps
     Point<Real> end;
     Truth<Real> good;  ///< false of NaN
@@ -77,11 +76,9 @@ private:
     return law().rate(at.stress, at.state, over.D, over.d);
   }
   template <class Real>
-  static Point<Real> moved(Point<Real> point, const Rate<Real, States>& rate, double time);
-  template <class Real>
   Truth<Real> changes_little(const Point<Real>& start, const Point<Real>& end) const;
   template <class Real>
-  Increment<Real> heun(const Point<Real>& start, const Rate<Real, States>& first, const Step<Real>& over) const;
+  Real error(const Point<Real>& start, const PairStep<Real, States>& step) const;
   template <class Real>
   Trial<Real> attempt(const Point<Real>& start, const Real& separation, const Step<Real>& over) const;
   template <class Real>
