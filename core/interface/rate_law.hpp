@@ -12,8 +12,10 @@ struct IntegrationControl {
   double tolerance = 1e-4;       ///< error of stress and state allowed in one step, relative [-]
   double minimum_pressure = 0.0; ///< p below which a frictional law returns or separates [Pa]; 0: no such limit
 
+  double cohesion_pressure = 0.0; ///< p_t, by which the pressure that a frictional law sees is higher [Pa]
+
   static Keys keys();            ///< `tolerance`
-  static Keys frictional_keys(); ///< `tolerance` and `minimum_pressure`
+  static Keys frictional_keys(); ///< the same, `minimum_pressure` and `cohesion_pressure`
   explicit IntegrationControl(const Values& given);
 };
 
@@ -36,15 +38,27 @@ struct IntegrationControl {
 /// and the virtual functions of Material but `integrate`. A frictional law declares `separation_variable()` last. What
 /// else a law may say stands in rate_law_traits.hpp.
 ///
-/// Low pressure: where a step would end with p below the minimum pressure, an expanding point separates (no stress
-/// until its volume is back) and any other returns along its last stress direction to p = p_min. Both depend on
-/// invariants only.
+/// Low pressure: a frictional law sees σ − p_t I, p_t being the cohesion pressure, and so p + p_t. Where a step would
+/// end with p + p_t below the minimum pressure, an expanding point separates (no stress until its volume is back) and
+/// any other returns along its last direction of σ − p_t I to p + p_t = p_min. Both depend on invariants only.
 template <class Law, std::size_t States>
 class RateLaw : public Material {
 public:
   explicit RateLaw(const IntegrationControl& control) : control_(control) {}
 
   void integrate(const MaterialBatch& batch, MaterialReport& report) const final;
+
+  /// What the law takes for the stress: σ − p_t I of a frictional law. `rate` is given it; a survey asks for it.
+  template <class Real>
+  [[nodiscard]] Sym<Real> seen(Sym<Real> sigma) const {
+    if constexpr (Law::frictional)
+      for (std::size_t c = 0; c < 3; ++c) sigma.m[c] = sigma.m[c] - Real(control_.cohesion_pressure);
+    return sigma;
+  }
+  /// Of a point that regains contact: the least pressure, or none where cohesion bears more than that.
+  [[nodiscard]] Sym<double> contact_stress() const {
+    return -std::max(control_.minimum_pressure - control_.cohesion_pressure, 0.0) * Sym<double>::identity();
+  }
 
 protected:
   static StateVariable separation_variable() {
@@ -73,7 +87,7 @@ private:
 
   template <class Real>
   Rate<Real, States> rate(const Point<Real>& at, const Step<Real>& over) const {
-    return law().rate(at.stress, at.state, over.D, over.d);
+    return law().rate(seen(at.stress), at.state, over.D, over.d);
   }
   template <class Real>
   Truth<Real> changes_little(const Point<Real>& start, const Point<Real>& end) const;
@@ -97,8 +111,7 @@ private:
   void leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain, MaterialReport& report) const;
 
   [[nodiscard]] const Law& law() const { return static_cast<const Law&>(*this); }
-  [[nodiscard]] double least_trace() const { return 3.0 * control_.minimum_pressure; }
-  [[nodiscard]] Sym<double> contact_stress() const { return -control_.minimum_pressure * Sym<double>::identity(); }
+  [[nodiscard]] double least_trace() const { return 3.0 * (control_.minimum_pressure - control_.cohesion_pressure); }
   IntegrationControl control_;
 };
 

@@ -14,7 +14,7 @@ auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<
     return size <= Real(std::numeric_limits<double>::max());
   }
   const double share = 4.0 * control_.tolerance;
-  Truth<Real> little = dot(change, change) <= Real(share * share) * dot(start.stress, start.stress);
+  Truth<Real> little = dot(change, change) <= Real(share * share) * dot(seen(start.stress), seen(start.stress));
   if constexpr (MeasuresState<Law, States>) return little && law().state_change(start.state, end.state) <= Real(share);
   for (std::size_t s = 0; s < States; ++s)
     little = little && abs(end.state[s] - start.state[s]) <= Real(share) * abs(start.state[s]);
@@ -26,7 +26,7 @@ template <class Law, std::size_t States>
 template <class Real>
 Real RateLaw<Law, States>::error(const Point<Real>& start, const PairStep<Real, States>& step) const {
   const auto& [end, embedded] = step;
-  Real most = norm(end.stress - embedded.stress) / max(norm(end.stress), Real(1e-6));
+  Real most = norm(end.stress - embedded.stress) / max(norm(seen(end.stress)), Real(1e-6));
   if constexpr (MeasuresState<Law, States>) {
     most = max(most, law().state_change(embedded.state, end.state));
   } else {

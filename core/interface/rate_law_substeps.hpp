@@ -78,7 +78,8 @@ double RateLaw<Law, States>::drift_apart(Lone& lone, Step<double> over, double l
   return left - over.time;
 }
 
-/// p fell below its limit: an expanding point separates, any other keeps its last stress direction at p = p_min.
+/// p + p_t fell below its limit: an expanding point separates, any other keeps the last direction that the law has
+/// seen.
 template <class Law, std::size_t States>
 void RateLaw<Law, States>::leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain,
                                               MaterialReport& report) const {
@@ -86,7 +87,9 @@ void RateLaw<Law, States>::leave_low_pressure(Lone& lone, const Sym<double>& bef
     lone.separation = volume_strain;
     lone.point.stress = Sym<double>::zero();
   } else {
-    lone.point.stress = (least_trace() / -trace(before)) * before;
+    const Sym<double> last = seen(before);
+    lone.point.stress = (3.0 * control_.minimum_pressure / -trace(last)) * last;
+    for (std::size_t c = 0; c < 3; ++c) lone.point.stress.m[c] += control_.cohesion_pressure;
     ++report.low_pressure;
   }
 }
