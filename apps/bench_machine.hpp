@@ -18,12 +18,20 @@ struct BareKernelTimes {
 };
 BareKernelTimes measure_bare_kernel(const BenchEffort& effort);
 
+/// One rate at one point [ns].
+struct LawTimes {
+  std::string law;
+  double pack = 0, scalar = 0;
+};
+
 struct MachineLimits {
   double triad_memory = 0, triad_l2 = 0; ///< a = b + s c, three arrays of 128 MB or 170 kB [GB/s]
   double fma = 0;                        ///< multiply-adds of packs in registers [GFLOP/s]
   double exp_pack = 0, exp_scalar = 0;   ///< per call [ns]
   double pow_pack = 0, pow_scalar = 0;   ///< per call [ns]
-  double law_pack = 0, law_scalar = 0;   ///< one rate of gudehus_bauer at one point [ns]
+  std::vector<LawTimes> laws;            ///< hypoplastic, with intergranular strain and without
+  /// Of the law that the bounds of a step are told for.
+  [[nodiscard]] const LawTimes& bare_law() const { return laws.front(); }
 };
 MachineLimits measure_machine(const BenchEffort& effort);
 

@@ -59,7 +59,7 @@ std::string bounds_table(const MachineLimits& m) {
   for (const Demand& d : demands) {
     const double memory = d.bytes / m.triad_memory, arithmetic = d.flops / m.fma;
     rows.push_back({d.name, fixed(d.bytes, 0), fixed(d.flops, 0), figure(memory), figure(arithmetic),
-                    figure(std::max(memory, arithmetic + m.law_pack))});
+                    figure(std::max(memory, arithmetic + m.bare_law().pack))});
   }
   return markdown_table({"scheme", "bytes", "flops", "memory ns", "flops ns", "bound ns, with one rate"}, rows, 1);
 }
@@ -110,15 +110,13 @@ std::string phases_table(const std::vector<BenchResult>& results) {
 
 std::string machine_tables(const MachineLimits& m, const BareKernelTimes& bare) {
   const auto rate = [](double x, const std::string& unit) { return figure(x) + " " + unit; };
-  const std::string one =
-      markdown_table({"limit, one core", "packs", "scalar"},
-                     {{"triad from memory", rate(m.triad_memory, "GB/s"), "–"},
-                      {"triad in L2", rate(m.triad_l2, "GB/s"), "–"},
-                      {"multiply-adds", rate(m.fma, "GFLOP/s"), "–"},
-                      {"exp", rate(m.exp_pack, "ns"), rate(m.exp_scalar, "ns")},
-                      {"pow", rate(m.pow_pack, "ns"), rate(m.pow_scalar, "ns")},
-                      {"one rate of gudehus_bauer", rate(m.law_pack, "ns"), rate(m.law_scalar, "ns")}},
-                     1);
+  std::vector<Row> limits{{"triad from memory", rate(m.triad_memory, "GB/s"), "–"},
+                          {"triad in L2", rate(m.triad_l2, "GB/s"), "–"},
+                          {"multiply-adds", rate(m.fma, "GFLOP/s"), "–"},
+                          {"exp", rate(m.exp_pack, "ns"), rate(m.exp_scalar, "ns")},
+                          {"pow", rate(m.pow_pack, "ns"), rate(m.pow_scalar, "ns")}};
+  for (const LawTimes& t : m.laws) limits.push_back({"one rate of " + t.law, rate(t.pack, "ns"), rate(t.scalar, "ns")});
+  const std::string one = markdown_table({"limit, one core", "packs", "scalar"}, limits, 1);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < BareKernelTimes::points.size(); ++i)
     rows.push_back({std::to_string(BareKernelTimes::points[i]), figure(bare.linear[i]), figure(bare.gimp[i])});
@@ -165,6 +163,8 @@ nlohmann::ordered_json machine_json(const MachineLimits& m, const BareKernelTime
   for (std::size_t i = 0; i < BareKernelTimes::points.size(); ++i)
     kernels.push_back(
         {{"points", BareKernelTimes::points[i]}, {"linear_ns", bare.linear[i]}, {"gimp_ns", bare.gimp[i]}});
+  nlohmann::ordered_json laws = nlohmann::ordered_json::array();
+  for (const LawTimes& t : m.laws) laws.push_back({{"law", t.law}, {"pack_ns", t.pack}, {"scalar_ns", t.scalar}});
   return {{"machine", processor_name()},
           {"instruction_set", instruction_set()},
           {"triad_memory_GB_per_s", m.triad_memory},
@@ -174,8 +174,9 @@ nlohmann::ordered_json machine_json(const MachineLimits& m, const BareKernelTime
           {"exp_scalar_ns", m.exp_scalar},
           {"pow_pack_ns", m.pow_pack},
           {"pow_scalar_ns", m.pow_scalar},
-          {"law_pack_ns", m.law_pack},
-          {"law_scalar_ns", m.law_scalar},
+          {"law_pack_ns", m.bare_law().pack},
+          {"law_scalar_ns", m.bare_law().scalar},
+          {"laws", laws},
           {"bare_kernel", kernels}};
 }
 

@@ -105,6 +105,8 @@ nlohmann::ordered_json BiaxialRun::summary() const {
           {"mass_error", state.step > 0 ? mass_on_grid / mass - 1.0 : 0.0},
           {"evaluated_twice", state.report.evaluated_twice},
           {"substepped", state.report.substepped},
+          {"substeps", state.report.substeps},
+          {"rejected_substeps", state.report.rejected_substeps},
           {"low_pressure", state.report.low_pressure},
           {"separated", state.report.separated},
           {"out_of_bounds", simulation_.out_of_bounds()}};

@@ -70,6 +70,8 @@ nlohmann::ordered_json element_summary(const ElementCurve& curve) {
                                  {"sigma_1_final_Pa", last.sigma[0]},
                                  {"evaluated_twice", curve.report.evaluated_twice},
                                  {"substepped", curve.report.substepped},
+                                 {"substeps", curve.report.substeps},
+                                 {"rejected_substeps", curve.report.rejected_substeps},
                                  {"low_pressure", curve.report.low_pressure},
                                  {"separated", curve.report.separated}};
   if (curve.energies) {

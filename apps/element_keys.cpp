@@ -136,10 +136,11 @@ Findings check_element(const Values& v) {
   check_limits_of_void_ratio(v, found.errors);
   const StartPressure start = start_pressure(v);
   const double least = v.has("material.minimum_pressure") ? v.number("material.minimum_pressure") : -1.0;
-  if (start.p <= least)
+  if (start.p + cohesion_pressure(v) <= least)
     found.errors.push_back({{start.key, "material.minimum_pressure"},
                             "the mean pressure at the start, " + rounded(start.p) + " Pa, must exceed " +
-                                rounded(least) + " Pa (material.minimum_pressure): below it the grains are apart"});
+                                rounded(least - cohesion_pressure(v)) +
+                                " Pa (material.minimum_pressure): below it the grains are apart"});
   else
     check_void_ratio(v, "specimen.void_ratio", start, found.errors);
   if (v.text("test") == "path") {

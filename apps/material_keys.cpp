@@ -36,10 +36,15 @@ void append_material(Keys& keys, const Catalogue& catalogue, std::string_view mo
     if (!known || law.description.name == model) append_parameters(keys, law.description);
 }
 
+double cohesion_pressure(const Values& v) {
+  return has_parameters(v, {"cohesion_pressure"}) ? v.number("material.cohesion_pressure") : 0.0;
+}
+
 void check_void_ratio(const Values& v, const std::string& key, const StartPressure& start,
                       std::vector<Finding>& errors) {
   if (!has_parameters(v, {"e_d0", "e_i0", "h_s", "n"})) return;
-  const double shrink = std::exp(-std::pow(3.0 * start.p / v.number("material.h_s"), v.number("material.n")));
+  const double p = start.p + cohesion_pressure(v);
+  const double shrink = std::exp(-std::pow(3.0 * p / v.number("material.h_s"), v.number("material.n")));
   const double e_d = v.number("material.e_d0") * shrink, e_i = v.number("material.e_i0") * shrink;
   const double e_0 = v.number(key);
   if (e_0 > e_d && e_0 <= e_i) return;

@@ -24,8 +24,10 @@ struct StartPressure {
   double p;
   std::string key, name;
 };
-/// e_d < e0 ≤ e_i at a pressure, where e_i = e_i0 exp[−(3 p/h_s)^n] and e_d likewise, of laws that have such
-/// parameters.
+/// p_t of a law that has such a parameter, otherwise 0 [Pa].
+double cohesion_pressure(const Values& values);
+/// e_d < e0 ≤ e_i at a pressure and the cohesion pressure added to it, where e_i = e_i0 exp[−(3 p/h_s)^n] and e_d
+/// likewise, of laws that have such parameters.
 /// @param key the void ratio's
 void check_void_ratio(const Values& values, const std::string& key, const StartPressure& start,
                       std::vector<Finding>& errors);

@@ -47,21 +47,25 @@ Real basic_stiffness(const HypoplasticParts<Real>& q) {
 }
 
 /// Greatest wave speed of a batch whose state begins with the void ratio and ends, behind `States` columns, with the
-/// separation. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
+/// separation. Points without contact count with the stress at which they will regain it, so that the time step is
+/// right when they do. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
 template <std::size_t States, class Law, class Stiffness>
 [[gnu::flatten]] Survey survey_sand(const Law& law, const MaterialBatch& batch, const Stiffness& stiffness) {
   const Sand& sand = law.sand();
+  const Sym<double> at_contact = law.seen(law.contact_stress());
   Survey answer;
   Pack fastest(0.0); // c² ρ_s
   for (Index p = 0; p < batch.size; p += pack_size) {
     const BatchGroup<Pack, States> group(batch, p);
     const auto [sigma, state] = group.points();
     const Pack e = state[0];
-    const Mask stiff = -trace(sigma) > Pack(0.0) && group.load(group.separation()) <= Pack(0.0);
-    const HypoplasticParts<Pack> parts = law.parts(sigma, e);
+    Sym<Pack> seen = law.seen(sigma);
+    const Mask touching = -trace(seen) > Pack(0.0) && group.load(group.separation()) <= Pack(0.0);
+    for (std::size_t c = 0; c < 6; ++c) seen.m[c] = select(touching, seen.m[c], Pack(at_contact.m[c]));
+    const HypoplasticParts<Pack> parts = law.parts(seen, e);
     const Pack c_squared = stiffness(parts) * (Pack(1.0) + e);
-    fastest = select(stiff && c_squared > fastest, c_squared, fastest); // not of NaN
-    const auto outside = lanes(stiff && (parts.e_bar < Pack(sand.e_d0) || parts.e_bar > Pack(sand.e_i0)));
+    fastest = select(c_squared > fastest, c_squared, fastest); // not of NaN
+    const auto outside = lanes(touching && (parts.e_bar < Pack(sand.e_d0) || parts.e_bar > Pack(sand.e_i0)));
     answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
   }
   answer.wave_speed = std::sqrt(greatest(fastest) / sand.grain_density);

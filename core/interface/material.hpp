@@ -29,11 +29,13 @@ struct MaterialBatch {
 
 /// What happened inside one call, or many.
 struct MaterialReport {
-  std::int64_t evaluated_twice = 0; ///< points whose step took a second evaluation of the rate
-  std::int64_t substepped = 0;      ///< points whose step had to be cut
-  std::int64_t low_pressure = 0;    ///< points returned to the least pressure
-  std::int64_t separated = 0;       ///< points that carry no stress
-  std::int64_t failures = 0;        ///< points that could not be integrated; their state is left as it was
+  std::int64_t evaluated_twice = 0;   ///< points whose step took a second evaluation of the rate
+  std::int64_t substepped = 0;        ///< points whose step had to be cut
+  std::int64_t substeps = 0;          ///< taken by points that were integrated alone
+  std::int64_t rejected_substeps = 0; ///< of theirs, tried and found too long
+  std::int64_t low_pressure = 0;      ///< points returned to the least pressure
+  std::int64_t separated = 0;         ///< points that carry no stress
+  std::int64_t failures = 0;          ///< points that could not be integrated; their state is left as it was
   Index first_failure = -1;
   std::string_view reason{}; ///< why the first one failed
 
@@ -74,6 +76,8 @@ using Materials = Registry<std::unique_ptr<Material>(const Values&)>;
 inline void MaterialReport::add(const MaterialReport& other, Index offset) {
   evaluated_twice += other.evaluated_twice;
   substepped += other.substepped;
+  substeps += other.substeps;
+  rejected_substeps += other.rejected_substeps;
   low_pressure += other.low_pressure;
   separated += other.separated;
   if (failures == 0 && other.failures > 0) {

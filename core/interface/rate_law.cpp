@@ -7,7 +7,7 @@ Keys IntegrationControl::keys() {
            .default_value = 1e-4,
            .unit = "-",
            .bounds = within(0.0, 0.1),
-           .doc = "error allowed in the stress of one sub-step, relative"}};
+           .doc = "error of stress and state variables allowed in one step, relative"}};
 }
 
 Keys IntegrationControl::frictional_keys() {
@@ -17,11 +17,17 @@ Keys IntegrationControl::frictional_keys() {
                  .unit = "Pa",
                  .bounds = more_than(0.0),
                  .doc = "mean pressure below which a point separates or is returned"});
+  all.push_back({.name = "cohesion_pressure",
+                 .default_value = 0.0,
+                 .unit = "Pa",
+                 .bounds = at_least(0.0),
+                 .doc = "added to the mean pressure that the law sees, and to that of minimum_pressure"});
   return all;
 }
 
 IntegrationControl::IntegrationControl(const Values& given)
     : tolerance(given.number("tolerance")),
-      minimum_pressure(given.has("minimum_pressure") ? given.number("minimum_pressure") : 0.0) {}
+      minimum_pressure(given.has("minimum_pressure") ? given.number("minimum_pressure") : 0.0),
+      cohesion_pressure(given.has("cohesion_pressure") ? given.number("cohesion_pressure") : 0.0) {}
 
 } // namespace riedel

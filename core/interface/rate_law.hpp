@@ -1,17 +1,21 @@
 /// Turns a rate equation, written for one point, into a law for blocks of points.
 #pragma once
 
-#include "core/interface/rate_law_traits.hpp"
+#include "core/interface/runge_kutta.hpp"
+
+#include <optional>
 
 namespace riedel {
 
 /// How the integration is controlled; every rate law takes these parameters beside its own.
 struct IntegrationControl {
-  double tolerance = 1e-4;       ///< error allowed in the stress of one sub-step, relative [-]
+  double tolerance = 1e-4;       ///< error of stress and state allowed in one step, relative [-]
   double minimum_pressure = 0.0; ///< p below which a frictional law returns or separates [Pa]; 0: no such limit
 
+  double cohesion_pressure = 0.0; ///< p_t, by which the pressure that a frictional law sees is higher [Pa]
+
   static Keys keys();            ///< `tolerance`
-  static Keys frictional_keys(); ///< `tolerance` and `minimum_pressure`
+  static Keys frictional_keys(); ///< the same, `minimum_pressure` and `cohesion_pressure`
   explicit IntegrationControl(const Values& given);
 };
 
@@ -20,8 +24,10 @@ struct IntegrationControl {
 ///  takes
 ///    one evaluation of the rate (Euler). Euler's method runs half a step behind; where a material forgets its past the
 ///    stress stays within twice the tolerance of the exact path, however many steps are taken.
-///  - Any other takes two (Heun), and the difference of the two rates is its error.
-///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps.
+///  - Any other takes two (Heun).
+///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps of Bogacki
+///    and Shampine's pair.
+/// The error of a step is the difference of its pair's two answers, in the stress or in a state variable, relative.
 /// Eight points at a time take the first two; which one a point takes depends on that point alone.
 ///
 /// A law derives from RateLaw<Law, States>, States being the number of columns of its own state variables (a scalar has
@@ -32,15 +38,27 @@ struct IntegrationControl {
 /// and the virtual functions of Material but `integrate`. A frictional law declares `separation_variable()` last. What
 /// else a law may say stands in rate_law_traits.hpp.
 ///
-/// Low pressure: where a step would end with p below the minimum pressure, an expanding point separates (no stress
-/// until its volume is back) and any other returns along its last stress direction to p = p_min. Both depend on
-/// invariants only.
+/// Low pressure: a frictional law sees σ − p_t I, p_t being the cohesion pressure, and so p + p_t. Where a step would
+/// end with p + p_t below the minimum pressure, an expanding point separates (no stress until its volume is back) and
+/// any other returns along its last direction of σ − p_t I to p + p_t = p_min. Both depend on invariants only.
 template <class Law, std::size_t States>
 class RateLaw : public Material {
 public:
   explicit RateLaw(const IntegrationControl& control) : control_(control) {}
 
   void integrate(const MaterialBatch& batch, MaterialReport& report) const final;
+
+  /// What the law takes for the stress: σ − p_t I of a frictional law. `rate` is given it; a survey asks for it.
+  template <class Real>
+  [[nodiscard]] Sym<Real> seen(Sym<Real> sigma) const {
+    if constexpr (Law::frictional)
+      for (std::size_t c = 0; c < 3; ++c) sigma.m[c] = sigma.m[c] - Real(control_.cohesion_pressure);
+    return sigma;
+  }
+  /// Of a point that regains contact: the least pressure, or none where cohesion bears more than that.
+  [[nodiscard]] Sym<double> contact_stress() const {
+    return -std::max(control_.minimum_pressure - control_.cohesion_pressure, 0.0) * Sym<double>::identity();
+  }
 
 protected:
   static StateVariable separation_variable() {
@@ -57,11 +75,6 @@ private:
     double time;
   };
   template <class Real>
-  struct Increment {
-    Point<Real> end;
-    Real error; ///< relative to the stress
-  };
-  template <class Real>
   struct Trial { ///< a step without sub-steps
     Point<Real> end;
     Truth<Real> good;  ///< false of NaN
@@ -74,14 +87,12 @@ private:
 
   template <class Real>
   Rate<Real, States> rate(const Point<Real>& at, const Step<Real>& over) const {
-    return law().rate(at.stress, at.state, over.D, over.d);
+    return law().rate(seen(at.stress), at.state, over.D, over.d);
   }
-  template <class Real>
-  static Point<Real> moved(Point<Real> point, const Rate<Real, States>& rate, double time);
   template <class Real>
   Truth<Real> changes_little(const Point<Real>& start, const Point<Real>& end) const;
   template <class Real>
-  Increment<Real> heun(const Point<Real>& start, const Rate<Real, States>& first, const Step<Real>& over) const;
+  Real error(const Point<Real>& start, const PairStep<Real, States>& step) const;
   template <class Real>
   Trial<Real> attempt(const Point<Real>& start, const Real& separation, const Step<Real>& over) const;
   template <class Real>
@@ -100,8 +111,7 @@ private:
   void leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain, MaterialReport& report) const;
 
   [[nodiscard]] const Law& law() const { return static_cast<const Law&>(*this); }
-  [[nodiscard]] double least_trace() const { return 3.0 * control_.minimum_pressure; }
-  [[nodiscard]] Sym<double> contact_stress() const { return -control_.minimum_pressure * Sym<double>::identity(); }
+  [[nodiscard]] double least_trace() const { return 3.0 * (control_.minimum_pressure - control_.cohesion_pressure); }
   IntegrationControl control_;
 };
 

@@ -3,14 +3,6 @@
 
 namespace riedel {
 
-template <class Law, std::size_t States>
-template <class Real>
-auto RateLaw<Law, States>::moved(Point<Real> point, const Rate<Real, States>& rate, double time) -> Point<Real> {
-  point.stress = point.stress + Real(time) * rate.stress;
-  for (std::size_t s = 0; s < States; ++s) point.state[s] += Real(time) * rate.state[s];
-  return point;
-}
-
 /// Whether one evaluation of the rate is enough for a step. NaN changes much.
 template <class Law, std::size_t States>
 template <class Real>
@@ -22,25 +14,29 @@ auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<
     return size <= Real(std::numeric_limits<double>::max());
   }
   const double share = 4.0 * control_.tolerance;
-  Truth<Real> little = dot(change, change) <= Real(share * share) * dot(start.stress, start.stress);
+  Truth<Real> little = dot(change, change) <= Real(share * share) * dot(seen(start.stress), seen(start.stress));
   if constexpr (MeasuresState<Law, States>) return little && law().state_change(start.state, end.state) <= Real(share);
   for (std::size_t s = 0; s < States; ++s)
     little = little && abs(end.state[s] - start.state[s]) <= Real(share) * abs(start.state[s]);
   return little;
 }
 
+/// The greatest of the errors of stress and state, relative; NaN where the state is.
 template <class Law, std::size_t States>
 template <class Real>
-auto RateLaw<Law, States>::heun(const Point<Real>& start, const Rate<Real, States>& first, const Step<Real>& over) const
-    -> Increment<Real> {
-  const Point<Real> euler = moved(start, first, over.time);
-  const auto second = rate(euler, over);
-  Increment<Real> step{.end = moved(moved(start, first, 0.5 * over.time), second, 0.5 * over.time), .error = Real(0.0)};
-  step.error = Real(0.5 * over.time) * norm(second.stress - first.stress) / max(norm(step.end.stress), Real(1e-6));
-  if constexpr (MeasuresState<Law, States>)
-    step.error = max(step.error, law().state_change(euler.state, step.end.state));
-  for (std::size_t s = 0; s < States; ++s) step.error += Real(0.0) * step.end.state[s]; // NaN, if the state is
-  return step;
+Real RateLaw<Law, States>::error(const Point<Real>& start, const PairStep<Real, States>& step) const {
+  const auto& [end, embedded] = step;
+  Real most = norm(end.stress - embedded.stress) / max(norm(seen(end.stress)), Real(1e-6));
+  if constexpr (MeasuresState<Law, States>) {
+    most = max(most, law().state_change(embedded.state, end.state));
+  } else {
+    for (std::size_t s = 0; s < States; ++s) {
+      const Real size = max(max(abs(start.state[s]), abs(end.state[s])), Real(1e-300));
+      most = max(most, abs(end.state[s] - embedded.state[s]) / size);
+    }
+  }
+  for (std::size_t s = 0; s < States; ++s) most += Real(0.0) * end.state[s];
+  return most;
 }
 
 /// One evaluation or two, lane by lane; points near zero pressure are left to those integrated alone.
@@ -56,9 +52,9 @@ template <class Real>
   const Real least(least_trace());
   if constexpr (Law::frictional) trial.twice = trial.twice && -trace(start.stress) >= least && separation <= Real(0.0);
   if (some(trial.twice)) {
-    const Increment<Real> step = heun(start, first, over);
+    const auto step = heun(start, first, over.time, [&](const Point<Real>& at) { return rate(at, over); });
     trial.end = select(trial.good, trial.end, step.end);
-    trial.good = trial.good || (trial.twice && step.error <= Real(control_.tolerance));
+    trial.good = trial.good || (trial.twice && error(start, step) <= Real(control_.tolerance));
   }
   if constexpr (Law::frictional)
     trial.good =

@@ -180,6 +180,12 @@ TEST_F(Bench, TellsWhatTheMachineCanDo) {
   const auto machine = nlohmann::json::parse(file_content(file)).at(0);
   EXPECT_GT(machine["fma_GFLOP_per_s"], 0.0);
   EXPECT_GT(machine["bare_kernel"][1]["gimp_ns"], 0.0);
+  ASSERT_EQ(machine["laws"].size(), 4U); // both sands, with intergranular strain and without
+  for (const auto& law : machine["laws"]) {
+    EXPECT_GT(law["pack_ns"], 0.0) << law["law"];
+    EXPECT_GT(law["scalar_ns"], 0.0) << law["law"];
+    EXPECT_THAT(outcome.out, HasSubstr("one rate of " + law["law"].get<std::string>() + " "));
+  }
 }
 
 TEST_F(Bench, LeavesCleanlyWhenInterrupted) {

@@ -161,6 +161,13 @@ TEST_F(ElementProgram, RefusesAStartThatTheLawDoesNotKnow) {
               HasSubstr("--set loading.initial_pressure: -5 is out of range"));
   EXPECT_THAT(element("c", {"oedometer", "--set", "loading.initial_pressure=5"}).err,
               HasSubstr("must exceed 10.0 Pa (material.minimum_pressure)"));
+  EXPECT_EQ(element("f", {"oedometer", "--set", "loading.initial_pressure=5", "--set", "loading.final_strain=0.001",
+                          "--set", "material.cohesion_pressure=100"})
+                .code,
+            0);
+  EXPECT_THAT(
+      element("g", {"triaxial", "--set", "specimen.void_ratio=1.185", "--set", "material.cohesion_pressure=100e3"}).err,
+      HasSubstr("the law allows (0.4"));
   EXPECT_THAT(element("d", {"path", "--set", "initial.sigma=[-1,2,3]"}).err, HasSubstr("initial.sigma: [ -1, 2, 3 ]"));
   EXPECT_EQ(element("e", {"triaxial", "--set", "specimen.void_ratio=0.3"}).code, 2);
   EXPECT_FALSE(fs::exists(folder_ / "e"));

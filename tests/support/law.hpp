@@ -7,7 +7,7 @@
 
 namespace riedel::test {
 
-/// A registered law with its defaults, or with one of its switches the other way round.
+/// A registered law with its defaults, with one of its switches the other way round, or with cohesion.
 struct LawCase {
   std::string name, label;
   std::map<std::string, Value> with = {};
@@ -18,9 +18,11 @@ inline std::vector<LawCase> every_law() {
   for (const auto& law : catalogue().materials.entries()) {
     const std::string& name = law.description.name;
     cases.push_back({name, name});
-    for (const Key& key : law.description.parameters)
+    for (const Key& key : law.description.parameters) {
+      if (key.name == "cohesion_pressure") cases.push_back({name, name + "_with_cohesion_pressure", {{key.name, 5e3}}});
       if (const bool* flag = std::get_if<bool>(&key.default_value))
         cases.push_back({name, name + "_with_" + key.name, {{key.name, !*flag}}});
+    }
   }
   return cases;
 }
