@@ -14,13 +14,14 @@ namespace {
 
 constexpr double kilo = 1e3; ///< Pa in a kPa
 
-/// The order of parameters.inp by law, as in the UMAT of hypoplastic sand at soilmodels.com. p_t must be zero.
+/// The order of parameters.inp by law, as in the UMAT of hypoplastic sand at soilmodels.com.
 struct Order {
   const char* law;
   std::vector<std::string> names;
 };
 const std::vector<Order>& orders() {
-  static const std::vector<std::string> sand{"phi_c", "p_t", "h_s", "n", "e_d0", "e_c0", "e_i0", "alpha", "beta"};
+  static const std::vector<std::string> sand{"phi_c", "cohesion_pressure", "h_s", "n", "e_d0", "e_c0", "e_i0", "alpha",
+                                             "beta"};
   static const std::vector<Order> all{{"von_wolffersdorff", sand}, {"gudehus_bauer", sand}};
   return all;
 }
@@ -54,8 +55,8 @@ void read_parameters(CaseFile& given, const std::filesystem::path& path, const s
                  std::to_string(order.names.size()));
   for (const std::string& parameter : order.names) {
     const double x = lines.number(parameter);
-    if (parameter == "p_t" && x != 0.0) lines.refuse("p_t = " + exact_text(x) + " is not supported; only 0");
-    if (parameter != "p_t") set(given, lines, "material." + parameter, exact_text(parameter == "h_s" ? kilo * x : x));
+    const bool of_pressure = parameter == "h_s" || parameter == "cohesion_pressure";
+    set(given, lines, "material." + parameter, exact_text(of_pressure ? kilo * x : x));
   }
   if (count <= static_cast<double>(order.names.size())) return;
   const double m_R = lines.number("m_R");

@@ -74,8 +74,7 @@ Simulation<2> column(const ColumnCase& of, int axis) {
                       {"bottom", {0, 0}, to(axis, margin), axis, still},
                       {"top", from(axis, margin + cells), last, axis, platen_velocity}};
   model.flip = of.flip;
-  model.moving_grid =
-      MovingGrid{.axis = axis, .fixed_row = margin, .driven_row = margin + cells, .velocity = platen_velocity};
+  model.moving_grids.push_back({.axis = axis, .fixed_row = margin, .moving_row = margin + cells, .platen = "top"});
   return {std::move(model), std::move(state)};
 }
 
