@@ -1,4 +1,5 @@
 #include "apps/biaxial_keys.hpp"
+#include "core/step/model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +56,37 @@ void check_locality(const Values& v, std::vector<Finding>& errors) {
                         " is out of range: with intergranular strain the law takes nothing averaged; allowed: 0"});
 }
 
+/// A number that the chosen transfer would not look at. Defaults pass: a run leaves them in its case.toml.
+void check_transfer(const Values& v, std::vector<Finding>& errors) {
+  const std::string& transfer = v.text("time.transfer");
+  const double flip = v.number("time.flip");
+  const std::int64_t order = v.integer("time.xpic_order");
+  if (transfer != "flip" && flip != Model<2>().flip)
+    errors.push_back({{"time.flip", "time.transfer"},
+                      exact_text(flip) + " means nothing to \"" + transfer +
+                          "\", which blends no FLIP and PIC; leave it out, or take " + "time.transfer = \"flip\""});
+  if (transfer != "xpic" && order != Model<2>().xpic_order)
+    errors.push_back({{"time.xpic_order", "time.transfer"},
+                      std::to_string(order) + " means nothing to \"" + transfer +
+                          "\"; leave it out, or take time.transfer = \"xpic\""});
+}
+
+void check_spreading(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  const auto& schemes = catalogue.in_2d.schemes;
+  const std::string& given = v.text("scheme");
+  if (v.text("time.transfer") != "apic" || schemes.find(given).make()->spreads_points()) return;
+  std::string others;
+  for (const std::string& name : schemes.names())
+    if (schemes.find(name).make()->spreads_points()) others += (others.empty() ? "" : ", ") + name;
+  errors.push_back({{"time.transfer", "scheme"},
+                    "\"apic\" is not offered by the scheme \"" + given +
+                        "\", which gives a point on a line of nodes no weight beside it; take one of " + others +
+                        ", or another transfer"});
+}
+
 } // namespace
 
-Findings check_biaxial(const Values& values) {
+Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   Findings found;
   check_limits_of_void_ratio(values, found.errors);
   const std::string pressure = "loading.confining_pressure";
@@ -65,6 +94,8 @@ Findings check_biaxial(const Values& values) {
     check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
   check_locality(values, found.errors);
+  check_transfer(values, found.errors);
+  check_spreading(values, catalogue, found.errors);
   check_number_of_points(values, found.errors);
   check_spacing(values, found.warnings);
   return found;

@@ -1,5 +1,7 @@
 #include "apps/biaxial_keys.hpp"
 
+#include "apps/velocity_transfers.hpp"
+
 #include <algorithm>
 
 namespace riedel {
@@ -57,7 +59,11 @@ Keys method_keys(const Catalogue& catalogue) {
        {"musl", "usl", "usf"}},
       {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
       {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
-      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
+      {"time.transfer", "flip", "", any,
+       "velocities between points and grid: a blend of FLIP and PIC, affine (APIC, TPIC), or XPIC(m)",
+       transfer_names()},
+      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC; for flip alone"},
+      {"time.xpic_order", std::int64_t{2}, "-", between(1, 40), "m of XPIC(m), 1 is PIC; for xpic alone"},
       {"time.objective_rate",
        "jaumann",
        "",
@@ -93,7 +99,8 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
 }
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  return checked_case(given, biaxial_keys(catalogue, model_of(given)), check_biaxial);
+  return checked_case(given, biaxial_keys(catalogue, model_of(given)),
+                      [&](const Values& values) { return check_biaxial(values, catalogue); });
 }
 
 } // namespace riedel

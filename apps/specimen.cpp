@@ -1,5 +1,6 @@
 #include "apps/specimen.hpp"
 
+#include "apps/velocity_transfers.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
@@ -162,7 +163,9 @@ Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
   model.step = step_named(v.text("time.order"));
   if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
   model.gravity = {0.0, -v.number("loading.gravity")};
+  model.transfer = transfer_named(v.text("time.transfer"));
   model.flip = v.number("time.flip");
+  model.xpic_order = static_cast<int>(v.integer("time.xpic_order"));
   model.cfl = v.number("time.cfl");
   if (std::holds_alternative<double>(v.at("time.step"))) model.fixed_time_step = v.number("time.step");
 
