@@ -1,5 +1,5 @@
 #include "apps/biaxial_keys.hpp"
-#include "core/step/model.hpp"
+#include "apps/velocity_transfers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,17 +71,24 @@ void check_transfer(const Values& v, std::vector<Finding>& errors) {
                           "\"; leave it out, or take time.transfer = \"xpic\""});
 }
 
-void check_spreading(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+/// Affine transfers take the slope of the velocity about a point, which hats do not spread.
+void check_spreading(const Values& v, const Catalogue& catalogue, Findings& found) {
   const auto& schemes = catalogue.in_2d.schemes;
-  const std::string& given = v.text("scheme");
-  if (v.text("time.transfer") != "apic" || schemes.find(given).make()->spreads_points()) return;
+  const std::string &scheme = v.text("scheme"), &transfer = v.text("time.transfer");
+  if (!is_affine(transfer_named(transfer)) || schemes.find(scheme).make()->spreads_points()) return;
   std::string others;
   for (const std::string& name : schemes.names())
     if (schemes.find(name).make()->spreads_points()) others += (others.empty() ? "" : ", ") + name;
-  errors.push_back({{"time.transfer", "scheme"},
-                    "\"apic\" is not offered by the scheme \"" + given +
-                        "\", which gives a point on a line of nodes no weight beside it; take one of " + others +
-                        ", or another transfer"});
+  if (transfer == "apic")
+    found.errors.push_back({{"time.transfer", "scheme"},
+                            "\"apic\" is not offered by the scheme \"" + scheme +
+                                "\", which gives a point on a line of nodes no weight beside it; take one of " +
+                                others + ", or another transfer"});
+  else
+    found.warnings.push_back(
+        {{"time.transfer", "scheme"},
+         "\"" + transfer + "\" with the scheme \"" + scheme +
+             "\" takes slopes from slivers of mass at free surfaces, and the run may fail; safe with " + others});
 }
 
 } // namespace
@@ -95,7 +102,7 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   check_imperfection(values, found.errors);
   check_locality(values, found.errors);
   check_transfer(values, found.errors);
-  check_spreading(values, catalogue, found.errors);
+  check_spreading(values, catalogue, found);
   check_number_of_points(values, found.errors);
   check_spacing(values, found.warnings);
   return found;

@@ -160,7 +160,10 @@ TEST(BiaxialCheck, RefusesApicWithASchemeThatDoesNotSpreadPoints) {
   EXPECT_THAT(errors({"time.transfer=apic", "scheme=linear"}),
               AllOf(StartsWith("--set time.transfer: \"apic\" is not offered by the scheme \"linear\""),
                     HasSubstr("take one of gimp, cpgimp, cpdi, or another transfer")));
-  EXPECT_EQ(errors({"time.transfer=tpic", "scheme=linear"}), "no error");
+  EXPECT_THAT(accepted({"time.transfer=tpic", "scheme=linear"}).warnings,
+              ElementsAre(AllOf(StartsWith("--set time.transfer: \"tpic\" with the scheme \"linear\""),
+                                HasSubstr("safe with gimp, cpgimp, cpdi"))));
+  EXPECT_THAT(accepted({"time.transfer=tpic"}).warnings, IsEmpty());
 }
 
 TEST(BiaxialCheck, WarnsWhenThePointsAreTooFarApartForTheAverage) {
