@@ -1,5 +1,6 @@
 #include "apps/bench_case.hpp"
 
+#include "apps/velocity_transfers.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
@@ -94,6 +95,7 @@ Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) 
   model.scheme = catalogue.in<Dim>().schemes.find(wanted.scheme).make();
   model.step = step_named<Dim>(wanted.order);
   model.confining_pressure = block::pressure;
+  model.transfer = transfer_named(wanted.transfer);
   model.flip = block::flip;
   if (wanted.stencils != "auto") model.keep_stencils = wanted.stencils == "kept";
 
@@ -133,6 +135,7 @@ void set_in_motion(Simulation<Dim>& simulation) {
     const Vec<Dim> v = L * (points.position_of(p) - centre);
     for (int a = 0; a < Dim; ++a) points.velocity[a][p] = v[a];
   }
+  for (int c = 0; c < points.affine.components(); ++c) points.affine.fill(c, 0.0);
 }
 
 template Counts<2> block_cells<2>(Index, Index);

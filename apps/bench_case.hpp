@@ -8,7 +8,7 @@ namespace riedel {
 
 /// One row of the table.
 struct BenchCase {
-  std::string scheme = "gimp", material = "gudehus_bauer", order = "musl";
+  std::string scheme = "gimp", material = "gudehus_bauer", order = "musl", transfer = "flip";
   int dimension = 2;
   Index points = 10'000; ///< wished for; whole cells come near it
   Index per_cell = 2;    ///< points in a cell along each direction

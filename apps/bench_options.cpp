@@ -1,5 +1,6 @@
 #include "apps/bench_options.hpp"
 
+#include "apps/velocity_transfers.hpp"
 #include "core/io/suggestion.hpp"
 #include "core/io/units.hpp"
 
@@ -21,6 +22,7 @@ const Options& choices() {
       {"points", "N,M", "material points, whole cells near it; default: 2e3,1e4,1e5,1e6"},
       {"per-cell", "N", "points in a cell along each direction; default: 2"},
       {"order", "A,B", "of the step: musl, usl, usf; default: musl"},
+      {"transfer", "A,B", "of velocities: flip, apic, tpic, xpic; default: flip"},
       {"length", "A,B", "l_c in m, or with a unit: 1.5mm; 0 is local; default: 0"},
       {"averager", "A,B", "default: gauss"},
       {"search", "A,B", "for neighbours; default: cgal_kd_tree"},
@@ -137,6 +139,7 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
   const Texts searches = names(arguments, "search", otherwise.search, catalogue.in_2d.searches.names());
   all = vary(vary(all, &BenchCase::averager, averagers), &BenchCase::search, searches);
   all = vary(all, &BenchCase::order, names(arguments, "order", otherwise.order, step_orders()));
+  all = vary(all, &BenchCase::transfer, names(arguments, "transfer", otherwise.transfer, transfer_names()));
   all = vary(all, &BenchCase::points, integers(arguments, "points", {"2e3", "1e4", "1e5", "1e6"}, 1, 100'000'000));
   all = vary(all, &BenchCase::scheme, names(arguments, "scheme", otherwise.scheme, catalogue.in_2d.schemes.names()));
   all = vary(all, &BenchCase::stencils, names(arguments, "stencils", otherwise.stencils, stencil_memory()));

@@ -36,7 +36,8 @@ std::string length_text(const BenchResult& r) {
 constexpr std::size_t names = 4; ///< columns of a row's head that are no numbers
 const Row head_of_names{"scheme", "law", "order", "l_c [mm]", "dim", "points", "threads"};
 Row row_of_names(const BenchResult& r) {
-  return {r.of.stencils == "auto" ? r.of.scheme : r.of.scheme + ", " + r.of.stencils,
+  return {r.of.scheme + (r.of.transfer == "flip" ? "" : ", " + r.of.transfer) +
+              (r.of.stencils == "auto" ? "" : ", " + r.of.stencils),
           r.of.material,
           r.of.order,
           length_text(r),
@@ -138,6 +139,7 @@ nlohmann::ordered_json results_json(const std::vector<BenchResult>& results) {
                                {"threads", r.of.threads},
                                {"nonlocal_length", r.of.length},
                                {"order", r.of.order},
+                               {"transfer", r.of.transfer},
                                {"ns_per_point_step", r.ns.median},
                                {"ns_min", r.ns.least},
                                {"ns_max", r.ns.most},

@@ -1,4 +1,5 @@
 #include "apps/biaxial_keys.hpp"
+#include "apps/velocity_transfers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ void check_locality(const Values& v, std::vector<Finding>& errors) {
 
 } // namespace
 
-Findings check_biaxial(const Values& values) {
+Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   Findings found;
   check_limits_of_void_ratio(values, found.errors);
   const std::string pressure = "loading.confining_pressure";
@@ -65,6 +66,7 @@ Findings check_biaxial(const Values& values) {
     check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
   check_locality(values, found.errors);
+  check_transfer(values, catalogue, Model<2>().flip, found);
   check_number_of_points(values, found.errors);
   check_spacing(values, found.warnings);
   return found;

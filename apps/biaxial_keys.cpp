@@ -86,7 +86,8 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
 }
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  return checked_case(given, biaxial_keys(catalogue, model_of(given)), check_biaxial);
+  return checked_case(given, biaxial_keys(catalogue, model_of(given)),
+                      [&](const Values& values) { return check_biaxial(values, catalogue); });
 }
 
 } // namespace riedel

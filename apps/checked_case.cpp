@@ -17,7 +17,7 @@ bool concerns(const Finding& finding, const std::vector<Finding>& errors) {
 
 } // namespace
 
-CheckedCase checked_case(const CaseFile& given, Keys keys, Findings (*check)(const Values&)) {
+CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Findings(const Values&)>& check) {
   CheckedValues checked = given.check(keys);
   const Findings found = check(checked.values);
   std::vector<Finding> errors = checked.errors;

@@ -3,6 +3,8 @@
 
 #include "core/io/case_file.hpp"
 
+#include <functional>
+
 namespace riedel {
 
 /// What one key cannot see: errors stop the run, warnings are told.
@@ -18,7 +20,7 @@ struct CheckedCase {
 };
 
 /// @param check looks at all values together   @throws InputError with a line for everything that is wrong
-CheckedCase checked_case(const CaseFile& given, Keys keys, Findings (*check)(const Values&));
+CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Findings(const Values&)>& check);
 
 /// For messages: rounded to four digits.
 std::string rounded(double x);

@@ -3,6 +3,7 @@
 #include "apps/element_drivers.hpp"
 #include "apps/path_keys.hpp"
 #include "apps/step_keys.hpp"
+#include "apps/velocity_transfers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@ namespace riedel {
 namespace {
 
 const Bounds any{};
+/// PIC drags on the sides as they move out; 0.98 leaves 0.07 degrees at the peak in a single cell, and this 0.02.
+constexpr double standard_flip = 0.995;
 
 Key pressure_key(const std::string& name, double standard, std::string doc) {
   return {"loading." + name, standard, "Pa", more_than(0), std::move(doc)};
@@ -71,8 +74,7 @@ Keys mpm_keys(const Catalogue& catalogue) {
             {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
             {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
   append(keys, step_keys());
-  // PIC drags on the sides as they move out; 0.98 leaves 0.07 degrees at the peak in a single cell, and this 0.02.
-  std::ranges::find(keys, "time.flip", &Key::name)->default_value = 0.995;
+  std::ranges::find(keys, "time.flip", &Key::name)->default_value = standard_flip;
   for (Key& key : keys) key.doc = "mpm: " + key.doc;
   return keys;
 }
@@ -131,7 +133,7 @@ void check_specimen(const Values& v, std::vector<Finding>& errors) {
     errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a triaxial test is not; allowed: 3, \"auto\""});
 }
 
-Findings check_element(const Values& v) {
+Findings check_element(const Values& v, const Catalogue& catalogue) {
   Findings found;
   check_limits_of_void_ratio(v, found.errors);
   const StartPressure start = start_pressure(v);
@@ -148,6 +150,7 @@ Findings check_element(const Values& v) {
     check_intergranular_strain(v, found.errors);
   }
   if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
+  if (v.text("driver.kind") == "mpm" && v.text("test") != "path") check_transfer(v, catalogue, standard_flip, found);
   return found;
 }
 
@@ -175,7 +178,8 @@ CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
   const bool known = std::ranges::find(element_tests(), wish) != element_tests().end();
   Keys keys = element_keys(catalogue, known ? wish : "triaxial", model_of(given));
   if (wish == "path") append(keys, path_keys(given));
-  CheckedCase checked = checked_case(given, std::move(keys), check_element);
+  CheckedCase checked =
+      checked_case(given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); });
   // A measure that a stage leaves free is no condition: nothing to write down.
   std::erase_if(checked.keys, [&](const Key& key) {
     return key.name.starts_with("stage.") && checked.values.at(key.name) == Value(std::string(free_word));

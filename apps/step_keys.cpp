@@ -1,5 +1,6 @@
 #include "apps/step_keys.hpp"
 
+#include "apps/velocity_transfers.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
@@ -29,7 +30,11 @@ Keys step_keys() {
        {"musl", "usl", "usf"}},
       {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
       {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
-      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC"},
+      {"time.transfer", "flip", "", any,
+       "velocities between points and grid: a blend of FLIP and PIC, affine (APIC, TPIC), or XPIC(m)",
+       transfer_names()},
+      {"time.flip", 0.98, "-", between(0, 1), "share of FLIP in the points' velocity, the rest is PIC; for flip alone"},
+      {"time.xpic_order", std::int64_t{2}, "-", between(1, 40), "m of XPIC(m), 1 is PIC; for xpic alone"},
       {"time.objective_rate",
        "jaumann",
        "",
@@ -43,7 +48,9 @@ template <int Dim>
 void set_step(Model<Dim>& model, const Values& v) {
   model.step = step_named<Dim>(v.text("time.order"));
   if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
+  model.transfer = transfer_named(v.text("time.transfer"));
   model.flip = v.number("time.flip");
+  model.xpic_order = static_cast<int>(v.integer("time.xpic_order"));
   model.cfl = v.number("time.cfl");
   if (!v.is_text("time.step")) model.fixed_time_step = v.number("time.step");
 }

@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// `time.order`, `time.step`, `time.cfl`, `time.flip`, `time.objective_rate`.
+/// `time.order`, `time.step`, `time.cfl`, `time.transfer`, `time.flip`, `time.xpic_order`, `time.objective_rate`.
 Keys step_keys();
 
 /// What these keys say of a model.

@@ -26,6 +26,9 @@ public:
   /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                         Stencils<Dim>& stencils) const = 0;
+  /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
+  /// (x_i − x_p) has an inverse, which APIC needs. Hats at a point have none on a line of nodes.
+  [[nodiscard]] virtual bool spreads_points() const { return true; }
   /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw.
   [[nodiscard]] virtual Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const = 0;
 };

@@ -38,6 +38,7 @@ template <int Dim>
 struct Nodes {
   AlignedVector<NodeSums<Dim>> sums;
   AlignedVector<NodeMotion<Dim>> motion;
+  AlignedVector<NodeMotion<Dim>> filter; ///< working space of XPIC, empty without it
 
   void resize(Index count) {
     sums.assign(static_cast<std::size_t>(count), {});

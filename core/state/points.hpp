@@ -20,6 +20,7 @@ struct Points {
   Columns deformation_gradient{Dim * Dim}; ///< F_p [-]
   Columns velocity_gradient{Dim * Dim};    ///< L_p = ∂v/∂x [1/s]
   Columns stress{6};                       ///< Cauchy stress, tension positive, Mandel components [Pa]
+  Columns affine{0};                       ///< slope of the velocity: B_p of APIC [m²/s], C_p of TPIC [1/s], else none
   Columns state{0};                        ///< the law's state variables, in the order it declares them
   Columns rate_norm{1};                    ///< ‖D‖ [1/s]
   Columns averaged{1};                     ///< non-local average of the scalar the law names
@@ -33,9 +34,9 @@ struct Points {
   void resize(Index size, int states);
 
   /// Every field but the numbering, for sorting and for checkpoints.
-  [[nodiscard]] std::array<Columns*, 13> fields() {
-    return {&position,          &velocity, &mass,  &volume,    &initial_volume, &half_size,   &deformation_gradient,
-            &velocity_gradient, &stress,   &state, &rate_norm, &averaged,       &shear_strain};
+  [[nodiscard]] std::array<Columns*, 14> fields() {
+    return {&position,          &velocity, &mass,   &volume, &initial_volume, &half_size, &deformation_gradient,
+            &velocity_gradient, &stress,   &affine, &state,  &rate_norm,      &averaged,  &shear_strain};
   }
 
   [[nodiscard]] Vec<Dim> position_of(Index p) const { return vector(position, p); }

@@ -48,7 +48,7 @@ struct GatheredLane {
 
 /// Fills what `use` asks for.
 template <Use use, int Dim>
-void gather(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, Gathered<Dim>& sum) {
+void gather(const StencilEntries<Dim>& stencil, const AlignedVector<NodeMotion<Dim>>& nodes, Gathered<Dim>& sum) {
   const StencilEntries<Dim> entries = stencil;
   with_shape(entries.shape, [&](auto shape) {
     PatchLane<shape, Dim> lane(entries, 0);
@@ -56,7 +56,7 @@ void gather(const StencilGroup<Dim>& stencil, const Nodes<Dim>& nodes, Gathered<
       GatheredLane<Dim> gathered;
       PatchLane<shape, Dim> patch = lane;
       for (int n = 0; n < entries.count; n += patch.entries, patch.to_next_patch())
-        gathered.template add<use>(patch, nodes.motion.data());
+        gathered.template add<use>(patch, nodes.data());
       gathered.template store<use>(k, sum);
     }
   });

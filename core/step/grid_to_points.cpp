@@ -1,8 +1,10 @@
 #include "core/step/grid_to_points.hpp"
 
+#include "core/step/group_walk.hpp"
 #include "core/step/point_motion.hpp"
 #include "core/step/scatter.hpp"
 #include "core/step/transfer.hpp"
+#include "core/step/transfers/affine.hpp"
 
 namespace riedel {
 
@@ -10,19 +12,12 @@ namespace {
 
 /// Calls `take(sum, body, p)` for every eight points of all bodies, with what they gather from the grid.
 template <Use use, int Dim, class Take>
-void for_each_group(State<Dim>& state, const Model<Dim>& model, const Take& take) {
-  for (Body<Dim>& body : state.bodies)
-    for_each_block(body.points.size(), [&](Range whole) {
-      Gathered<Dim> sum;
-      for (Index b = whole.begin; b < whole.end; b += stencil_block) {
-        const Range block{b, std::min(b + stencil_block, whole.end)};
-        const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
-        for (Index p = b; p < block.end; p += pack_size) {
-          gather<use>(stencils.group_of(p), state.nodes, sum);
-          take(sum, body, p);
-        }
-      }
-    });
+void for_each_gathered(State<Dim>& state, const Model<Dim>& model, const Take& take) {
+  for_each_group(state, model, [&](Body<Dim>& body, const StencilGroup<Dim>& stencil, Index p) {
+    Gathered<Dim> sum;
+    gather<use>(stencil, state.nodes.motion, sum);
+    take(sum, body, p);
+  });
 }
 
 /// New velocities and positions.
@@ -33,51 +28,55 @@ void move(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double flip, d
   move(points, p, motion.way);
 }
 
-/// The lanes of a group that belong to its slab; the others are another thread's.
-void store_lanes(double* column, const Pack& values, Range lanes) {
-  if (lanes.size() == pack_size) return values.store(column);
-  std::array<double, pack_size> lane;
-  values.store(lane.data());
-  std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
+/// XPIC has filtered the points' velocities, and FLIP's update of these is left.
+template <int Dim>
+double share_of_flip(const Model<Dim>& model) {
+  return model.transfer == VelocityTransfer::xpic ? 1.0 : model.flip;
 }
 
 } // namespace
 
 template <int Dim>
 void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
+  if (is_affine(model.transfer)) return affine_move_points(state, model, dt);
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  for_each_group<Use::values>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
-    move(sum, body.points, p, model.flip, dt);
-  });
+  const double flip = share_of_flip(model);
+  for_each_gathered<Use::values>(
+      state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) { move(sum, body.points, p, flip, dt); });
 }
 
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_group<Use::slopes>(
+  for_each_gathered<Use::slopes>(
       state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) { deform(sum, body.points, p, dt); });
 }
 
 template <int Dim>
 void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
+  if (is_affine(model.transfer)) return affine_grid_to_points(state, model, dt);
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  for_each_group<Use::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
-    move(sum, body.points, p, model.flip, dt);
+  const double flip = share_of_flip(model);
+  for_each_gathered<Use::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+    move(sum, body.points, p, flip, dt);
     deform(sum, body.points, p, dt);
   });
 }
 
 template <int Dim>
 void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
-  {
+  if (is_affine(model.transfer)) {
+    affine_remap_velocity(state, model, dt);
+  } else {
+    const double flip = share_of_flip(model);
     const PhaseClock::Lap lap(state.clock, Phase::g2p);
     parallel_for(state.nodes.size(), [&](Index i) { state.nodes.sums[i].momentum.setZero(); });
     for (Body<Dim>& body : state.bodies)
       add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
         Points<Dim>& points = body.points;
         Gathered<Dim> sum;
-        gather<Use::values>(group.stencil, state.nodes, sum);
-        const NewMotion<Dim> motion = new_motion(sum, points, group.first, model.flip, dt);
+        gather<Use::values>(group.stencil, state.nodes.motion, sum);
+        const NewMotion<Dim> motion = new_motion(sum, points, group.first, flip, dt);
         const Pack m = Pack::load(points.mass[0] + group.first);
         std::array<Pack, 4> momenta; // without mass, which the nodes have already
         momenta.fill(Pack(0.0));
@@ -96,7 +95,7 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_group<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+  for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     deform(sum, body.points, p, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);

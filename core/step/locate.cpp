@@ -35,9 +35,14 @@ void sort_points(State<Dim>& state, Body<Dim>& body, Index rows) {
 template <int Dim>
 void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   state.nodes.resize(state.grid.node_count());
+  if (model.transfer == VelocityTransfer::xpic) state.nodes.filter.resize(state.nodes.motion.size());
   for (Body<Dim>& body : state.bodies) {
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
     body.way.resize(body.points.size());
+    if (is_affine(model.transfer) && body.points.affine.components() == 0) {
+      body.points.affine = Columns(Dim * Dim);
+      body.points.affine.resize(body.points.size());
+    }
     // Thick enough for the support on both sides and for points to drift by two rows.
     sort_points(state, body, 6 + 2 * model.scheme->margin());
   }
@@ -46,6 +51,9 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
 
 template <int Dim>
 void locate_points(State<Dim>& state, const Model<Dim>& model) {
+  if (is_affine(model.transfer))
+    while (state.moments.size() < static_cast<std::size_t>(most_threads()))
+      state.moments.emplace_back(static_cast<std::size_t>(model.scheme->max_nodes() * Dim * pack_size));
   for (Body<Dim>& body : state.bodies) {
     if (state.step % steps_between_looks == 0) {
       const PhaseClock::Lap lap(state.clock, Phase::sorting);

@@ -18,6 +18,13 @@ using StepFunction = void (*)(State<Dim>& state, const Model<Dim>& model, double
 /// Whose spin turns stress and tensor state: W, or that of R in F = R U.
 enum class ObjectiveRate { jaumann, green_naghdi };
 
+/// How velocities get from points to the grid and back. In the affine ones, a point gives its nodes a slope as well.
+enum class VelocityTransfer { flip, apic, tpic, xpic };
+
+constexpr bool is_affine(VelocityTransfer transfer) {
+  return transfer == VelocityTransfer::apic || transfer == VelocityTransfer::tpic;
+}
+
 /// A grid that follows a platen: along `axis` its cells stretch so that node row `moving_row` stays on the platen,
 /// while `fixed_row` stays where it is.
 struct MovingGrid {
@@ -45,9 +52,11 @@ struct Model {
   double confining_pressure = 0.0;      ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfacePressure<Dim>> surface_pressures;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
-  double flip = 0.98;                ///< share of FLIP in the velocity update, the rest is PIC [-]
-  double cfl = 0.5;                  ///< share of the stable time step taken [-]
-  double fixed_time_step = 0.0;      ///< [s]; 0: from the law's wave speed
+  VelocityTransfer transfer = VelocityTransfer::flip;
+  double flip = 0.98;           ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone
+  int xpic_order = 2;           ///< m of XPIC(m)
+  double cfl = 0.5;             ///< share of the stable time step taken [-]
+  double fixed_time_step = 0.0; ///< [s]; 0: from the law's wave speed
 };
 
 } // namespace riedel

@@ -1,6 +1,7 @@
 /// Matrices of eight points at once.
 #pragma once
 
+#include "core/base/columns.hpp"
 #include "core/base/pack.hpp"
 
 namespace riedel {
@@ -8,6 +9,15 @@ namespace riedel {
 /// Entries of a Dim × Dim matrix, row by row, of eight points.
 template <int Dim>
 using PackMatrix = std::array<std::array<Pack, Dim>, Dim>;
+
+/// Of the points from p on, from columns of components row by row.
+template <int Dim>
+PackMatrix<Dim> load_matrix(const Columns& columns, Index p) {
+  PackMatrix<Dim> matrix;
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) matrix[i][j] = Pack::load(columns[i * Dim + j] + p);
+  return matrix;
+}
 
 inline Pack determinant(const PackMatrix<2>& a) { return a[0][0] * a[1][1] - a[0][1] * a[1][0]; }
 inline Pack determinant(const PackMatrix<3>& a) {

@@ -27,6 +27,14 @@ NewMotion<Dim> new_motion(const Gathered<Dim>& sum, const Points<Dim>& points, I
   return motion;
 }
 
+/// The lanes of a group that belong to its slab; the others are another thread's.
+inline void store_lanes(double* column, const Pack& values, Range lanes) {
+  if (lanes.size() == pack_size) return values.store(column);
+  std::array<double, pack_size> lane;
+  values.store(lane.data());
+  std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
+}
+
 /// x_p ← x_p + way.
 template <int Dim>
 void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pack, Dim>>& way) {

@@ -38,6 +38,9 @@ void check_state_columns(const State<Dim>& state) {
 template <int Dim>
 Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::move(model)), state_(std::move(state)) {
   check_state_columns(state_);
+  if (model_.transfer == VelocityTransfer::apic && !model_.scheme->spreads_points())
+    throw InputError(
+        "the scheme does not offer the transfer apic: it puts a point on a line of nodes on that line alone");
   prepare_points(state_, model_);
   bind_conditions(state_, model_.conditions);
   locate_points(state_, model_);

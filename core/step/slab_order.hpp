@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/parallel.hpp"
-#include "core/step/model.hpp"
+#include "core/step/locate.hpp"
 
 namespace riedel {
 
@@ -50,6 +50,20 @@ bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& bo
   for (Index parity = 0; parity < 2; ++parity)
     parallel_for_unequal((body.slabs.count() - parity + 1) / 2, [&](Index s) { add_slab(2 * s + parity); });
   return std::count(body.slab_strays.begin(), body.slab_strays.end(), 0) == body.slabs.count();
+}
+
+/// The first sums of a step, by `add_body(body)`, which tells whether all points were added: sorts those that stray and
+/// starts again.
+template <int Dim, class AddBody>
+void sum_from_zero(State<Dim>& state, const Model<Dim>& model, const AddBody& add_body) {
+  const PhaseClock::Lap lap(state.clock, Phase::p2g);
+  for (int attempt = 0;; ++attempt) {
+    state.nodes.clear_sums();
+    bool complete = true;
+    for (Body<Dim>& body : state.bodies) complete = add_body(body) && complete;
+    if (complete) return;
+    sort_strays(state, model, attempt > 0);
+  }
 }
 
 } // namespace riedel

@@ -74,8 +74,9 @@ struct State {
   double internal_work = 0.0; ///< ∫ σ:D dV dt since the start [J or J/m]
   MaterialReport report;      ///< summed since the start
 
-  std::vector<StressShare> shares; ///< working space
-  PhaseClock clock;                ///< for `riedel bench`
+  std::vector<StressShare> shares;            ///< working space
+  std::vector<AlignedVector<double>> moments; ///< working space of each thread in an affine transfer
+  PhaseClock clock;                           ///< for `riedel bench`
 };
 
 } // namespace riedel

@@ -4,6 +4,7 @@
 #include "core/step/locate.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
+#include "core/step/transfers/xpic.hpp"
 
 namespace riedel {
 
@@ -17,6 +18,7 @@ void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   map_forces(state, model);               // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
   advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions
+  filter_velocities(state, model);        // XPIC alone: v_p without what the grid does not see
   move_points(state, model, dt);          // v_p, x_p
 }
 

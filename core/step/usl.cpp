@@ -3,6 +3,7 @@
 #include "core/step/grid_to_points.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
+#include "core/step/transfers/xpic.hpp"
 
 namespace riedel {
 
@@ -11,6 +12,7 @@ void usl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   points_to_grid(state, model);           // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
   advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, state.time + dt, dt); // boundaries, reactions
+  filter_velocities(state, model);        // XPIC alone: v_p without what the grid does not see
   grid_to_points(state, model, dt);       // v_p, x_p, L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   update_stress(state, model, dt);        // d*, rotation, law
 }

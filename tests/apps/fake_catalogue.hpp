@@ -1,4 +1,5 @@
-/// A catalogue of names for tests of the input: its laws have parameters but no equations.
+/// A catalogue of names for tests of the input: its laws have parameters but no equations, its schemes no
+/// weights.
 #pragma once
 
 #include "core/interface/catalogue.hpp"
@@ -19,10 +20,25 @@ private:
   std::vector<std::string> averaged_;
 };
 
+class FakeScheme final : public ShapeFunction<2> {
+public:
+  explicit FakeScheme(bool spreads) : spreads_(spreads) {}
+
+  [[nodiscard]] int max_nodes() const override { return 0; }
+  [[nodiscard]] int margin() const override { return 0; }
+  [[nodiscard]] bool spreads_points() const override { return spreads_; }
+  void evaluate(const Grid<2>&, const Points<2>&, Range, Stencils<2>&) const override {}
+  [[nodiscard]] Mat<2> domain(const Grid<2>&, const Points<2>&, Index) const override { return Mat<2>::Zero(); }
+
+private:
+  bool spreads_;
+};
+
 inline Catalogue fake_catalogue() {
   Catalogue catalogue;
-  for (const char* name : {"linear", "gimp", "cpgimp", "cpdi"})
-    catalogue.in_2d.schemes.add({name, "a scheme", "a paper"}, [] { return nullptr; });
+  for (const std::string name : {"linear", "gimp", "cpgimp", "cpdi"})
+    catalogue.in_2d.schemes.add({name, "a scheme", "a paper"},
+                                [name] { return std::make_unique<FakeScheme>(name != "linear"); });
   for (const char* name : {"cgal_kd_tree", "cell_list"})
     catalogue.in_2d.searches.add({name, "a search", "a paper"}, [] { return nullptr; });
   catalogue.in_2d.averagers.add({"gauss", "an averager", "a paper"}, [](double, auto) { return nullptr; });

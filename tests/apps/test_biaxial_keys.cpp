@@ -80,11 +80,26 @@ TEST(BiaxialKeys, UnknownSchemesAndSearchesListTheKnownOnes) {
 }
 
 TEST(BiaxialKeys, RefuseNumbersOutOfRange) {
-  for (const char* setting :
-       {"specimen.width=0", "specimen.points_per_cell=0", "grid.cells=[0, 84]", "grid.cells=[24]", "loading.speed=-0.1",
-        "loading.final_strain=1.0", "loading.confining_pressure=0 kPa", "material.phi_c=90", "material.phi_c=2 rad",
-        "nonlocal.length=-1 mm", "time.step=0.0", "time.cfl=0.0", "time.cfl=1.1", "time.flip=1.5",
-        "output.every_strain=0.0", "specimen.width=1 kPa", "grid.cells=[24.0, 84.0]", "output.vtk=1"})
+  for (const char* setting : {"specimen.width=0",
+                              "specimen.points_per_cell=0",
+                              "grid.cells=[0, 84]",
+                              "grid.cells=[24]",
+                              "loading.speed=-0.1",
+                              "loading.final_strain=1.0",
+                              "loading.confining_pressure=0 kPa",
+                              "material.phi_c=90",
+                              "material.phi_c=2 rad",
+                              "nonlocal.length=-1 mm",
+                              "time.step=0.0",
+                              "time.cfl=0.0",
+                              "time.cfl=1.1",
+                              "time.flip=1.5",
+                              "time.xpic_order=0",
+                              "time.xpic_order=41",
+                              "output.every_strain=0.0",
+                              "specimen.width=1 kPa",
+                              "grid.cells=[24.0, 84.0]",
+                              "output.vtk=1"})
     EXPECT_THAT(errors({setting}), HasSubstr("allowed: ")) << setting;
 }
 
@@ -121,6 +136,34 @@ TEST(BiaxialCheck, RefusesALengthWithIntergranularStrainWhichTakesNothingAverage
   EXPECT_THAT(errors({"material.intergranular_strain=true"}),
               AllOf(StartsWith("nonlocal.length (default): 0.0015 is out of range"), HasSubstr("allowed: 0")));
   EXPECT_EQ(errors({"material.intergranular_strain=true", "nonlocal.length=0"}), "no error");
+}
+
+TEST(BiaxialKeys, AnUnknownTransferListsTheKnownOnes) {
+  EXPECT_THAT(errors({"time.transfer=apci"}),
+              AllOf(HasSubstr("did you mean 'apic'?"), HasSubstr("allowed: flip, apic, tpic, xpic")));
+}
+
+TEST(BiaxialCheck, RefusesNumbersThatTheTransferWouldNotLookAt) {
+  for (const char* transfer : {"time.transfer=apic", "time.transfer=tpic", "time.transfer=xpic"}) {
+    EXPECT_THAT(errors({transfer, "time.flip=0.9"}),
+                AllOf(StartsWith("--set time.flip: 0.9 means nothing to"), HasSubstr("time.transfer = \"flip\"")));
+    EXPECT_EQ(errors({transfer}), "no error");
+    EXPECT_EQ(errors({transfer, "time.flip=0.98"}), "no error") << "the case.toml that a run leaves";
+  }
+  for (const char* transfer : {"time.transfer=apic", "time.transfer=tpic", "time.transfer=flip"})
+    EXPECT_THAT(errors({transfer, "time.xpic_order=3"}),
+                AllOf(StartsWith("--set time.xpic_order: 3 means nothing to"), HasSubstr("time.transfer = \"xpic\"")));
+  EXPECT_EQ(errors({"time.transfer=xpic", "time.xpic_order=3"}), "no error");
+}
+
+TEST(BiaxialCheck, RefusesApicWithASchemeThatDoesNotSpreadPoints) {
+  EXPECT_THAT(errors({"time.transfer=apic", "scheme=linear"}),
+              AllOf(StartsWith("--set time.transfer: \"apic\" is not offered by the scheme \"linear\""),
+                    HasSubstr("take one of gimp, cpgimp, cpdi, or another transfer")));
+  EXPECT_THAT(accepted({"time.transfer=tpic", "scheme=linear"}).warnings,
+              ElementsAre(AllOf(StartsWith("--set time.transfer: \"tpic\" with the scheme \"linear\""),
+                                HasSubstr("safe with gimp, cpgimp, cpdi"))));
+  EXPECT_THAT(accepted({"time.transfer=tpic"}).warnings, IsEmpty());
 }
 
 TEST(BiaxialCheck, WarnsWhenThePointsAreTooFarApartForTheAverage) {

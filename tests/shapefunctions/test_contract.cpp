@@ -1,6 +1,7 @@
 /// What every registered scheme owes, in two and three dimensions.
 #include "support/problems.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -53,6 +54,32 @@ struct Cloud {
     return start;
   }
 };
+
+/// Least eigenvalue of Σ_i N_ip (x_i − x_p) ⊗ (x_i − x_p), lengths in cells, over points on nodes and anywhere.
+template <int Dim>
+double least_second_moment(const std::string& name) {
+  const Cloud<Dim> cloud(name, 0.25, 0.3);
+  double least = 1e300;
+  for (Index p = 0; p < cloud.points.size(); ++p) {
+    const Mat<Dim> D = cloud.template sum<Mat<Dim>>(
+        p, Mat<Dim>::Zero(), [&](double N, const Vec<Dim>&, const Vec<Dim>& x) -> Mat<Dim> {
+          const Vec<Dim> r = (x - cloud.points.position_of(p)).cwiseQuotient(cloud.grid.cell);
+          return N * r * r.transpose();
+        });
+    least = std::min(least, Eigen::SelfAdjointEigenSolver<Mat<Dim>>(D).eigenvalues()[0]);
+  }
+  return least;
+}
+
+/// What APIC divides by.
+template <int Dim>
+void a_scheme_that_spreads_points_has_second_moments(const std::string& name) {
+  if (scheme<Dim>(name)->spreads_points()) {
+    EXPECT_GT(least_second_moment<Dim>(name), 0.02);
+  } else {
+    EXPECT_LT(least_second_moment<Dim>(name), 1e-9);
+  }
+}
 
 template <int Dim>
 void weights_sum_to_one(const std::string& name) {
@@ -206,6 +233,10 @@ TEST_P(EveryScheme, GroupsNodesIntoPatchesThatTheTransfersKnow) {
 TEST_P(EveryScheme, GivesAPointTheSameWeightsInAnyLane) {
   a_point_gets_the_same_bits_in_any_lane<2>(GetParam());
   a_point_gets_the_same_bits_in_any_lane<3>(GetParam());
+}
+TEST_P(EveryScheme, SpreadsPointsToAllSidesIfItSaysSo) {
+  a_scheme_that_spreads_points_has_second_moments<2>(GetParam());
+  a_scheme_that_spreads_points_has_second_moments<3>(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryScheme, testing::ValuesIn(scheme_names()),

@@ -63,6 +63,17 @@ TEST_P(AllocationTest, AreNoneInAStepOfTheLocalModel) {
   }
 }
 
+TEST_P(AllocationTest, AreNoneInAStepOfAnyTransfer) {
+  for (const std::string transfer : {"apic", "tpic", "xpic"})
+    for (const std::string order : {"musl", "usl", "usf"}) {
+      if (transfer == "apic" && !scheme<2>(GetParam())->spreads_points()) continue;
+      const Values values = coarse_values(
+          {"scheme=" + GetParam(), "time.order=" + order, "time.transfer=" + transfer, "nonlocal.length=0.0"});
+      Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
+      EXPECT_EQ(allocations_in_steps(simulation), 0) << transfer << ", " << order;
+    }
+}
+
 TEST_P(AllocationTest, AreNoneInAStepOfTheNonlocalModelBetweenTwoSearches) {
   for (const std::string& search : catalogue().in_2d.searches.names()) {
     const Values values =

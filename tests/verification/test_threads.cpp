@@ -63,23 +63,33 @@ TEST(Threads, ChangeNoBitOfTheBiaxialTestWithAnyAverager) {
   }
 }
 
+/// Ends of a run of an elastic block, its stencils in blocks and kept.
+std::array<std::vector<double>, 2> ends_of_both_ways(const std::string& name, VelocityTransfer transfer) {
+  std::array<std::vector<double>, 2> ends;
+  for (const bool keep : {false, true}) {
+    State<2> state = elastic_state<2>({6, 20}, 0.1, 2, 6, [](const Vec<2>&) { return true; });
+    Points<2>& points = state.bodies[0].points;
+    for (Index p = 0; p < points.size(); ++p) points.velocity[1][p] = std::sin(9.0 * points.position[0][p]);
+    Model<2> model = model_with<2>(name);
+    model.transfer = transfer;
+    model.keep_stencils = keep;
+    Simulation<2> simulation(std::move(model), std::move(state));
+    for (int i = 0; i < 40; ++i) simulation.step();
+    EXPECT_EQ(simulation.state().bodies[0].stencils.keeps(), keep);
+    ends[keep] = everything(simulation);
+  }
+  return ends;
+}
+
 /// Block by block in every sweep, or once for the whole step.
 TEST(Stencils, GiveTheSameBitsKeptAsInBlocks) {
-  for (const std::string& name : scheme_names()) {
-    std::array<std::vector<double>, 2> ends;
-    for (const bool keep : {false, true}) {
-      State<2> state = elastic_state<2>({6, 20}, 0.1, 2, 6, [](const Vec<2>&) { return true; });
-      Points<2>& points = state.bodies[0].points;
-      for (Index p = 0; p < points.size(); ++p) points.velocity[1][p] = std::sin(9.0 * points.position[0][p]);
-      Model<2> model = model_with<2>(name);
-      model.keep_stencils = keep;
-      Simulation<2> simulation(std::move(model), std::move(state));
-      for (int i = 0; i < 40; ++i) simulation.step();
-      EXPECT_EQ(simulation.state().bodies[0].stencils.keeps(), keep);
-      ends[keep] = everything(simulation);
+  for (const std::string& name : scheme_names())
+    for (const VelocityTransfer transfer :
+         {VelocityTransfer::flip, VelocityTransfer::apic, VelocityTransfer::tpic, VelocityTransfer::xpic}) {
+      if (transfer == VelocityTransfer::apic && !scheme<2>(name)->spreads_points()) continue;
+      const auto [in_blocks, kept] = ends_of_both_ways(name, transfer);
+      EXPECT_TRUE(same_bits(in_blocks, kept)) << name << ", transfer " << static_cast<int>(transfer);
     }
-    EXPECT_TRUE(same_bits(ends[0], ends[1])) << name;
-  }
 }
 
 TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
@@ -88,6 +98,14 @@ TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
     EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 2, 60))) << order;
     EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 4, 60))) << order;
   }
+}
+
+TEST(Threads, ChangeNoBitInAnyTransfer) {
+  for (const std::string transfer : {"apic", "tpic", "xpic"})
+    for (const std::string order : {"musl", "usl", "usf"}) {
+      const Values values = lively({"time.transfer=" + transfer, "time.order=" + order, "nonlocal.length=0.0"});
+      EXPECT_TRUE(same_bits(after_steps(values, 1, 40), after_steps(values, 4, 40))) << transfer << ", " << order;
+    }
 }
 
 TEST(Threads, ChangeNoBitInAnyScheme) {
@@ -103,7 +121,7 @@ TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
 }
 
 /// A tall elastic block, wrung and stretched at the start.
-std::vector<double> wrung_block(int threads) {
+std::vector<double> wrung_block(int threads, VelocityTransfer transfer) {
   omp_set_num_threads(threads);
   State<3> state = elastic_state<3>({3, 3, 24}, 0.1, 1, 5, [](const Vec<3>&) { return true; });
   Points<3>& points = state.bodies[0].points;
@@ -113,16 +131,21 @@ std::vector<double> wrung_block(int threads) {
     points.velocity[1][p] = turn * points.position[0][p];
     points.velocity[2][p] = 3.0 * points.position[2][p];
   }
-  Simulation<3> simulation(model_with<3>("cpdi"), std::move(state));
+  Model<3> model = model_with<3>("cpdi");
+  model.transfer = transfer;
+  Simulation<3> simulation(std::move(model), std::move(state));
   for (int i = 0; i < 50; ++i) simulation.step();
   EXPECT_GT(simulation.state().bodies[0].slabs.count(), 2) << "nothing to share";
   return everything(simulation);
 }
 
 TEST(Threads, ChangeNoBitInThreeDimensions) {
-  const std::vector<double> alone = wrung_block(1);
-  EXPECT_TRUE(same_bits(wrung_block(2), alone));
-  EXPECT_TRUE(same_bits(wrung_block(4), alone));
+  for (const VelocityTransfer transfer :
+       {VelocityTransfer::flip, VelocityTransfer::apic, VelocityTransfer::tpic, VelocityTransfer::xpic}) {
+    const std::vector<double> alone = wrung_block(1, transfer);
+    EXPECT_TRUE(same_bits(wrung_block(2, transfer), alone)) << static_cast<int>(transfer);
+    EXPECT_TRUE(same_bits(wrung_block(4, transfer), alone)) << static_cast<int>(transfer);
+  }
 }
 
 } // namespace

@@ -1,0 +1,22 @@
+/// All points of all bodies, eight at a time, with their stencils.
+#pragma once
+
+#include "core/base/parallel.hpp"
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// Calls `visit(body, stencil, p)` for every eight points, p the first of them. Blocks are spread over threads.
+template <int Dim, class Visit>
+void for_each_group(State<Dim>& state, const Model<Dim>& model, const Visit& visit) {
+  for (Body<Dim>& body : state.bodies)
+    for_each_block(body.points.size(), [&](Range whole) {
+      for (Index b = whole.begin; b < whole.end; b += stencil_block) {
+        const Range block{b, std::min(b + stencil_block, whole.end)};
+        const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
+        for (Index p = b; p < block.end; p += pack_size) visit(body, stencils.group_of(p), p);
+      }
+    });
+}
+
+} // namespace riedel
