@@ -14,7 +14,6 @@ public:
   [[nodiscard]] int max_nodes() const override { return power(2, Dim); }
   [[nodiscard]] int margin() const override { return 0; }
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
-  [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
 };
 
 } // namespace riedel

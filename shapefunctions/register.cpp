@@ -1,5 +1,6 @@
 #include "shapefunctions/register.hpp"
 
+#include "shapefunctions/bspline.hpp"
 #include "shapefunctions/cpdi.hpp"
 #include "shapefunctions/gimp.hpp"
 #include "shapefunctions/linear.hpp"
@@ -24,6 +25,9 @@ void register_shape_functions(ShapeFunctions<Dim>& schemes) {
                    "Wallstedt & Guilkey (2008)");
   add<Cpdi<Dim>>(schemes, "convected particle domain interpolation: the domain deforms with F",
                  "Sadeghirad, Brannon & Burghardt (2011)");
+  add<QuadraticBspline<Dim>>(schemes, "quadratic B-splines at the point, modified at walls",
+                             "Steffen, Kirby & Berzins (2008)");
+  add<CubicBspline<Dim>>(schemes, "cubic B-splines at the point, modified at walls", "Steffen, Kirby & Berzins (2008)");
 }
 
 template void register_shape_functions<2>(ShapeFunctions<2>&);

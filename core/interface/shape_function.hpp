@@ -26,9 +26,17 @@ public:
   /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                         Stencils<Dim>& stencils) const = 0;
-  /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw.
-  [[nodiscard]] virtual Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const = 0;
+  /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw. For a
+  /// scheme that knows no domain a box of the point's volume, in the proportions it started with, stands for it.
+  [[nodiscard]] virtual Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const;
 };
+
+template <int Dim>
+Mat<Dim> ShapeFunction<Dim>::domain(const Grid<Dim>&, const Points<Dim>& points, Index p) const {
+  Vec<Dim> half;
+  for (int a = 0; a < Dim; ++a) half[a] = points.half_size[a][p];
+  return (half * std::pow(points.volume[0][p] / points.initial_volume[0][p], 1.0 / Dim)).asDiagonal();
+}
 
 template <int Dim>
 using ShapeFunctions = Registry<std::unique_ptr<ShapeFunction<Dim>>()>;
