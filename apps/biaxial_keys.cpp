@@ -43,6 +43,17 @@ Keys problem_keys(const Catalogue& catalogue) {
   };
 }
 
+/// The options of all schemes, each once.
+Keys interpolation_keys(const Catalogue& catalogue) {
+  Keys keys;
+  for (const auto& scheme : catalogue.in_2d.schemes.entries())
+    for (Key key : scheme.description.parameters) {
+      key.name = "interpolation." + key.name;
+      if (std::ranges::find(keys, key.name, &Key::name) == keys.end()) keys.push_back(std::move(key));
+    }
+  return keys;
+}
+
 Keys method_keys(const Catalogue& catalogue) {
   return {
       {"nonlocal.length", 1.5e-3, "m", at_least(0), "characteristic length l_c; 0: local"},
@@ -87,6 +98,7 @@ void restrict_variable(Keys& keys, const Materials::Entry& law) {
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   Keys keys = problem_keys(catalogue);
   append_material(keys, catalogue, model);
+  append(keys, interpolation_keys(catalogue));
   append(keys, method_keys(catalogue));
   if (catalogue.materials.known(model)) restrict_variable(keys, catalogue.materials.find(model));
   return keys;

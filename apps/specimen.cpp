@@ -158,7 +158,7 @@ StepFunction<2> step_named(const std::string& order) {
 
 Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Model<2> model;
-  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make();
+  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
   model.step = step_named(v.text("time.order"));
   if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
   model.gravity = {0.0, -v.number("loading.gravity")};

@@ -10,8 +10,14 @@ namespace riedel {
 namespace {
 template <class Scheme, int Dim>
 void add(ShapeFunctions<Dim>& schemes, std::string summary, std::string source) {
-  schemes.add({.name = std::string(Scheme::name), .summary = std::move(summary), .source = std::move(source)},
-              [] { return std::make_unique<Scheme>(); });
+  Description description{
+      .name = std::string(Scheme::name), .summary = std::move(summary), .source = std::move(source)};
+  if constexpr (std::is_constructible_v<Scheme, const Values&>) {
+    description.parameters = Scheme::parameters();
+    schemes.add(std::move(description), [](const Values& options) { return std::make_unique<Scheme>(options); });
+  } else {
+    schemes.add(std::move(description), [](const Values&) { return std::make_unique<Scheme>(); });
+  }
 }
 } // namespace
 

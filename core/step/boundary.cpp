@@ -66,6 +66,7 @@ void find_rigid_nodes(State<Dim>& state, const ShapeFunction<Dim>& scheme) {
     RigidBody<Dim>& body = state.rigid_bodies[b];
     std::vector<Index>& nodes = state.held[state.held.size() - state.rigid_bodies.size() + b].nodes;
     nodes.clear();
+    start(scheme, state.grid, body.points);
     scheme.evaluate(state.grid, body.points, {0, body.points.size()}, body.stencils);
     for (Index p = 0; p < body.points.size(); ++p) {
       const StencilGroup<Dim>& group = body.stencils.group_of(p);

@@ -17,8 +17,9 @@ void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) 
       if (!stencils.group_of(p).lost[p % pack_size]) continue;
       std::string where;
       for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(points.position[a][p]);
-      throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name + "' left the grid at (" + where +
-                     ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
+      throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name +
+                     "' left the grid, or its domain turned inside out, at (" + where + ") m, step " +
+                     std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
     }
   }
 }
@@ -36,6 +37,7 @@ template <int Dim>
 void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   state.nodes.resize(state.grid.node_count());
   for (Body<Dim>& body : state.bodies) {
+    start(*model.scheme, state.grid, body.points);
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
     body.way.resize(body.points.size());
     // Thick enough for the support on both sides and for points to drift by two rows.

@@ -22,7 +22,7 @@ private:
 inline Catalogue fake_catalogue() {
   Catalogue catalogue;
   for (const char* name : {"linear", "gimp", "cpgimp", "cpdi"})
-    catalogue.in_2d.schemes.add({name, "a scheme", "a paper"}, [] { return nullptr; });
+    catalogue.in_2d.schemes.add({name, "a scheme", "a paper"}, [](const Values&) { return nullptr; });
   for (const char* name : {"cgal_kd_tree", "cell_list"})
     catalogue.in_2d.searches.add({name, "a search", "a paper"}, [] { return nullptr; });
   catalogue.in_2d.averagers.add({"gauss", "an averager", "a paper"}, [](double, auto) { return nullptr; });

@@ -20,7 +20,8 @@ Grid<Dim> four_cells() {
 /// By node, summed over entries.
 template <int Dim>
 std::vector<Weight<Dim>> weights(const std::string& name, const Vec<Dim>& x, double half_size,
-                                 const Mat<Dim>& F = Mat<Dim>::Identity(), const Grid<Dim>& grid = four_cells<Dim>()) {
+                                 const Mat<Dim>& F = Mat<Dim>::Identity(), const Grid<Dim>& grid = four_cells<Dim>(),
+                                 const std::map<std::string, Value>& options = {}) {
   Points<Dim> points;
   points.resize(1, 0);
   for (int a = 0; a < Dim; ++a) {
@@ -28,10 +29,11 @@ std::vector<Weight<Dim>> weights(const std::string& name, const Vec<Dim>& x, dou
     points.half_size[a][0] = half_size;
     for (int b = 0; b < Dim; ++b) points.deformation_gradient[a * Dim + b][0] = F(a, b);
   }
-  const auto shape = scheme<Dim>(name);
+  const auto shape = scheme<Dim>(name, options);
   Stencils<Dim> stencils;
   stencils.resize(1, shape->max_nodes());
-  shape->evaluate(grid, points, {0, 1}, stencils);
+  Columns of_nodes{0};
+  evaluate_anew(*shape, grid, points, of_nodes, stencils);
   std::vector<Weight<Dim>> all(static_cast<std::size_t>(grid.node_count()), Weight<Dim>::Zero());
   const StencilGroup<Dim>& group = stencils.group_of(0);
   for (int e = 0; e < group.count; ++e) {

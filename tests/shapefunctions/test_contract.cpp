@@ -12,6 +12,7 @@ template <int Dim>
 struct Cloud {
   Grid<Dim> grid = grid_of<Dim>(cells(), 0.5, 4);
   Points<Dim> points;
+  Columns of_nodes{0};
   Stencils<Dim> stencils;
   std::shared_ptr<const ShapeFunction<Dim>> shape;
 
@@ -39,8 +40,10 @@ struct Cloud {
       for (int c = 0; c < Dim * Dim; ++c) points.deformation_gradient[c][p] += deformation * (2.0 * unit(random) - 1.0);
     }
     stencils.resize(count, shape->max_nodes());
-    shape->evaluate(grid, points, {0, count}, stencils);
+    evaluate();
   }
+
+  void evaluate() { evaluate_anew(*shape, grid, points, of_nodes, stencils); }
 
   /// Σ_entries f(N, ∇N, x_i) of point p.
   template <class T, class F>
@@ -100,7 +103,7 @@ void slopes_match_difference_quotients(const std::string& name) {
     for (const int side : {0, 1, 2}) {
       cloud.points.position = places;
       for (Index p = 0; p < places.size(); ++p) cloud.points.position[a][p] += (side - 1) * step;
-      cloud.shape->evaluate(cloud.grid, cloud.points, {0, places.size()}, cloud.stencils);
+      cloud.evaluate();
       for (Index p = 0; p < places.size(); ++p) {
         std::vector<double> at_node(static_cast<std::size_t>(cloud.grid.node_count()), 0.0);
         const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
@@ -121,7 +124,7 @@ void a_point_out_of_reach_is_marked(const std::string& name) {
   Cloud<Dim> cloud(name, 0.5, 0.0);
   cloud.points.position[0][13] = cloud.grid.origin[0] - 0.1 * cloud.grid.cell[0];
   cloud.points.position[1][14] = std::numeric_limits<double>::quiet_NaN();
-  cloud.shape->evaluate(cloud.grid, cloud.points, {0, cloud.points.size()}, cloud.stencils);
+  cloud.evaluate();
   for (Index p = 0; p < cloud.points.size(); ++p) {
     EXPECT_EQ(cloud.stencils.group_of(p).lost[p % pack_size], p == 13 || p == 14) << "point " << p;
     if (p == 13 || p == 14) {
@@ -174,7 +177,7 @@ void a_point_gets_the_same_bits_in_any_lane(const std::string& name) {
   copy(&Points<Dim>::position);
   copy(&Points<Dim>::half_size);
   copy(&Points<Dim>::deformation_gradient);
-  shifted.shape->evaluate(shifted.grid, shifted.points, {0, 61}, shifted.stencils);
+  shifted.evaluate();
   const auto total = [](const Cloud<Dim>& cloud, Index p) {
     return cloud.sum(p, 0.0, [](double N, const Vec<Dim>& dN, const Vec<Dim>& x) { return N * x.sum() + dN.dot(x); });
   };
