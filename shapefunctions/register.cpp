@@ -2,6 +2,7 @@
 
 #include "shapefunctions/bspline.hpp"
 #include "shapefunctions/cpdi.hpp"
+#include "shapefunctions/cpdi2.hpp"
 #include "shapefunctions/gimp.hpp"
 #include "shapefunctions/linear.hpp"
 
@@ -31,6 +32,8 @@ void register_shape_functions(ShapeFunctions<Dim>& schemes) {
                    "Wallstedt & Guilkey (2008)");
   add<Cpdi<Dim>>(schemes, "convected particle domain interpolation: the domain deforms with F",
                  "Sadeghirad, Brannon & Burghardt (2011)");
+  add<Cpdi2<Dim>>(schemes, "second-order CPDI: the corners of the domain move with the grid",
+                  "Sadeghirad, Brannon & Guilkey (2013)");
   add<QuadraticBspline<Dim>>(schemes, "quadratic B-splines at the point, modified at walls",
                              "Steffen, Kirby & Berzins (2008)");
   add<CubicBspline<Dim>>(schemes, "cubic B-splines at the point, modified at walls", "Steffen, Kirby & Berzins (2008)");

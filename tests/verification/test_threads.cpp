@@ -103,7 +103,7 @@ TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
 }
 
 /// A tall elastic block, wrung and stretched at the start.
-std::vector<double> wrung_block(int threads) {
+std::vector<double> wrung_block(const std::string& scheme_name, int threads) {
   omp_set_num_threads(threads);
   State<3> state = elastic_state<3>({3, 3, 24}, 0.1, 1, 5, [](const Vec<3>&) { return true; });
   Points<3>& points = state.bodies[0].points;
@@ -113,16 +113,18 @@ std::vector<double> wrung_block(int threads) {
     points.velocity[1][p] = turn * points.position[0][p];
     points.velocity[2][p] = 3.0 * points.position[2][p];
   }
-  Simulation<3> simulation(model_with<3>("cpdi"), std::move(state));
+  Simulation<3> simulation(model_with<3>(scheme_name), std::move(state));
   for (int i = 0; i < 50; ++i) simulation.step();
   EXPECT_GT(simulation.state().bodies[0].slabs.count(), 2) << "nothing to share";
   return everything(simulation);
 }
 
 TEST(Threads, ChangeNoBitInThreeDimensions) {
-  const std::vector<double> alone = wrung_block(1);
-  EXPECT_TRUE(same_bits(wrung_block(2), alone));
-  EXPECT_TRUE(same_bits(wrung_block(4), alone));
+  for (const std::string scheme_name : {"cpdi", "cpdi2"}) {
+    const std::vector<double> alone = wrung_block(scheme_name, 1);
+    EXPECT_TRUE(same_bits(wrung_block(scheme_name, 2), alone)) << scheme_name;
+    EXPECT_TRUE(same_bits(wrung_block(scheme_name, 4), alone)) << scheme_name;
+  }
 }
 
 } // namespace
