@@ -53,15 +53,18 @@ Pack before_walls(const Grid<Dim>& grid, int axis, const Pack& x) {
   const Walls& walls = grid.walls[axis];
   const double h = grid.cell[axis], slack = slack_in_cells * h;
   Pack place = x;
+  Mask between = x <= x; // false for NaN
   if (walls.first != Walls::none_below) {
     const double wall = grid.origin[axis] + walls.first * h;
-    place = select(x >= Pack(wall - slack), max(place, Pack(wall + on_wall * h)), Pack(std::nan("")));
+    between = between && x >= Pack(wall - slack);
+    place = max(place, Pack(wall + on_wall * h));
   }
   if (walls.last != Walls::none_above) {
     const double wall = grid.origin[axis] + walls.last * h;
-    place = select(x <= Pack(wall + slack), min(place, Pack(wall - on_wall * h)), Pack(std::nan("")));
+    between = between && x <= Pack(wall + slack);
+    place = min(place, Pack(wall - on_wall * h));
   }
-  return place;
+  return select(between, place, Pack(std::nan("")));
 }
 
 /// @param support half of the functions' support, in cells

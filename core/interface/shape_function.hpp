@@ -27,6 +27,9 @@ public:
   [[nodiscard]] virtual int max_nodes() const = 0;
   /// Layers of nodes needed beyond those of a cell that holds a point.
   [[nodiscard]] virtual int margin() const = 0;
+  /// Share of a point's mass below which a node carries no motion [-]: slivers under hats have forces that do not fade
+  /// with their mass. Where slopes fade, too, a node left out would be missed by them before it is by the masses.
+  [[nodiscard]] virtual double least_weight() const { return 1e-12; }
   /// Fills the stencils of the points in `block`, whole groups of eight: `block.begin` is a multiple of eight. Lanes
   /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,

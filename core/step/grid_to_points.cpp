@@ -90,7 +90,7 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
         scatter<Use::values>(group, shares, state.nodes);
       });
   }
-  divide_momentum(state);
+  divide_momentum(state, model);
 }
 
 template <int Dim>

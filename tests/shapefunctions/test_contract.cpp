@@ -26,6 +26,7 @@ struct Cloud {
   Cloud(const std::string& name, double share_of_cell, double deformation, Index count = 203, bool walls = false)
       : shape(scheme<Dim>(name)) {
     grid.cell[0] = 0.4; // cells need not be square
+    grid.origin[0] = -4 * grid.cell[0];
     if (walls) grid.walls.fill({.first = 4, .last = 7});
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
