@@ -3,6 +3,7 @@
 #include "shapefunctions/bspline.hpp"
 #include "shapefunctions/cpdi.hpp"
 #include "shapefunctions/cpdi2.hpp"
+#include "shapefunctions/ddmp.hpp"
 #include "shapefunctions/gimp.hpp"
 #include "shapefunctions/linear.hpp"
 
@@ -34,6 +35,8 @@ void register_shape_functions(ShapeFunctions<Dim>& schemes) {
                  "Sadeghirad, Brannon & Burghardt (2011)");
   add<Cpdi2<Dim>>(schemes, "second-order CPDI: the corners of the domain move with the grid",
                   "Sadeghirad, Brannon & Guilkey (2013)");
+  add<Ddmp<Dim>>(schemes, "dual domain: hats at the point, gradients made continuous by averages around the nodes",
+                 "Zhang, Ma & Giguere (2011)");
   add<QuadraticBspline<Dim>>(schemes, "quadratic B-splines at the point, modified at walls",
                              "Steffen, Kirby & Berzins (2008)");
   add<CubicBspline<Dim>>(schemes, "cubic B-splines at the point, modified at walls", "Steffen, Kirby & Berzins (2008)");

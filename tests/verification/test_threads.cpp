@@ -120,7 +120,7 @@ std::vector<double> wrung_block(const std::string& scheme_name, int threads) {
 }
 
 TEST(Threads, ChangeNoBitInThreeDimensions) {
-  for (const std::string scheme_name : {"cpdi", "cpdi2"}) {
+  for (const std::string scheme_name : {"cpdi", "cpdi2", "ddmp"}) {
     const std::vector<double> alone = wrung_block(scheme_name, 1);
     EXPECT_TRUE(same_bits(wrung_block(scheme_name, 2), alone)) << scheme_name;
     EXPECT_TRUE(same_bits(wrung_block(scheme_name, 4), alone)) << scheme_name;
