@@ -17,9 +17,9 @@ void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) 
       if (!stencils.group_of(p).lost[p % pack_size]) continue;
       std::string where;
       for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(points.position[a][p]);
-      throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name +
-                     "' left the grid, or its domain turned inside out, at (" + where + ") m, step " +
-                     std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
+      const char* const otherwise = model.scheme->columns() > 0 ? ", or its domain has turned inside out" : "";
+      throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name + "' left the grid at (" + where +
+                     ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s" + otherwise);
     }
   }
 }
