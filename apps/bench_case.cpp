@@ -92,7 +92,8 @@ Counts<Dim> block_cells(Index points, Index per_cell) {
 template <int Dim>
 Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) {
   Model<Dim> model;
-  model.scheme = catalogue.in<Dim>().schemes.find(wanted.scheme).make();
+  const auto& scheme = catalogue.in<Dim>().schemes.find(wanted.scheme);
+  model.scheme = scheme.make(Values(scheme.description.parameters));
   model.step = step_named<Dim>(wanted.order);
   model.confining_pressure = block::pressure;
   model.transfer = transfer_named(wanted.transfer);

@@ -1,5 +1,6 @@
 #include "apps/biaxial_keys.hpp"
 
+#include "apps/interpolation_keys.hpp"
 #include "apps/step_keys.hpp"
 
 #include <algorithm>
@@ -78,6 +79,7 @@ void restrict_variable(Keys& keys, const Materials::Entry& law) {
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   Keys keys = problem_keys(catalogue);
   append_material(keys, catalogue, model);
+  append(keys, interpolation_keys(catalogue));
   append(keys, averaging_keys(catalogue));
   append(keys, step_keys());
   append(keys, output_keys());

@@ -1,6 +1,7 @@
 #include "apps/element_keys.hpp"
 
 #include "apps/element_drivers.hpp"
+#include "apps/interpolation_keys.hpp"
 #include "apps/path_keys.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
@@ -73,6 +74,7 @@ Keys mpm_keys(const Catalogue& catalogue) {
              {"auto"}},
             {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
             {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
+  append(keys, interpolation_keys(catalogue));
   append(keys, step_keys());
   std::ranges::find(keys, "time.flip", &Key::name)->default_value = standard_flip;
   for (Key& key : keys) key.doc = "mpm: " + key.doc;
@@ -150,7 +152,10 @@ Findings check_element(const Values& v, const Catalogue& catalogue) {
     check_intergranular_strain(v, found.errors);
   }
   if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
-  if (v.text("driver.kind") == "mpm" && v.text("test") != "path") check_transfer(v, catalogue, standard_flip, found);
+  if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
+    check_interpolation(v, catalogue, found.errors);
+    check_transfer(v, catalogue, standard_flip, found);
+  }
   return found;
 }
 

@@ -122,7 +122,7 @@ int dimensions_of_element(const Values& values) {
 template <int Dim>
 Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const Sym<double>& stress) {
   Model<Dim> model;
-  model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make();
+  model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
   set_step(model, v);
   const Frame<Dim> frame(v, *model.scheme);
   set_boundaries(model, frame, v);

@@ -150,7 +150,7 @@ void set_boundaries(Model<2>& model, State<2>& state, const Specimen& s, const V
 
 Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Model<2> model;
-  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make();
+  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
   set_step(model, v);
   model.gravity = {0.0, -v.number("loading.gravity")};
 

@@ -25,10 +25,13 @@ void check_settings(const Values& v, double standard_flip, std::vector<Finding>&
 void check_spreading(const Values& v, const Catalogue& catalogue, Findings& found) {
   const auto& schemes = catalogue.in_2d.schemes;
   const std::string &scheme = v.text("scheme"), &transfer = v.text("time.transfer");
-  if (!is_affine(transfer_named(transfer)) || schemes.find(scheme).make()->spreads_points()) return;
+  const auto spreads = [&](const std::string& name) {
+    return schemes.find(name).make(v.section("interpolation"))->spreads_points();
+  };
+  if (!is_affine(transfer_named(transfer)) || spreads(scheme)) return;
   std::string others;
   for (const std::string& name : schemes.names())
-    if (schemes.find(name).make()->spreads_points()) others += (others.empty() ? "" : ", ") + name;
+    if (spreads(name)) others += (others.empty() ? "" : ", ") + name;
   if (transfer == "apic")
     found.errors.push_back({{"time.transfer", "scheme"},
                             "\"apic\" is not offered by the scheme \"" + scheme +

@@ -1,13 +1,11 @@
 #include "shapefunctions/cpdi.hpp"
 
+#include "shapefunctions/corners.hpp"
 #include "shapefunctions/tensor_product.hpp"
 
 namespace riedel {
 
 namespace {
-
-template <int Dim>
-using PackVector = std::array<Pack, Dim>;
 
 /// Eight parallelograms (parallelepipeds): centres, half vectors R_a, and the rows of R⁻¹.
 template <int Dim>
@@ -32,8 +30,27 @@ void invert(const std::array<PackVector<3>, 3>& R, std::array<PackVector<3>, 3>&
     for (Pack& component : row) component *= per_det;
 }
 
+/// Shortens the half diagonals l_c = Σ_a s_ca R_a, the R_a follow: R_a = 2⁻ᵈ Σ_c s_ca l_c.
 template <int Dim>
-Domains<Dim> domains_of(const Points<Dim>& points, Index p) {
+void limit_diagonals(std::array<PackVector<Dim>, Dim>& R, const Pack& longest) {
+  constexpr int corners = power(2, Dim);
+  std::array<PackVector<Dim>, Dim> shorter;
+  for (PackVector<Dim>& column : shorter) column.fill(Pack(0.0));
+  for (int c = 0; c < corners; ++c) {
+    PackVector<Dim> l;
+    l.fill(Pack(0.0));
+    for (int a = 0; a < Dim; ++a)
+      for (int i = 0; i < Dim; ++i) l[i] += Pack(corner_sign(c, a)) * R[a][i];
+    const Pack share = shortening<Dim>(l, longest) * Pack(1.0 / corners);
+    for (int a = 0; a < Dim; ++a)
+      for (int i = 0; i < Dim; ++i) shorter[a][i] += Pack(corner_sign(c, a)) * share * l[i];
+  }
+  R = shorter;
+}
+
+/// @param longest half diagonal allowed [m], if there is a limit; else not positive
+template <int Dim>
+Domains<Dim> domains_of(const Points<Dim>& points, Index p, const Pack& longest) {
   const Index size = points.size();
   Domains<Dim> d;
   for (int a = 0; a < Dim; ++a) {
@@ -42,85 +59,51 @@ Domains<Dim> domains_of(const Points<Dim>& points, Index p) {
     for (int i = 0; i < Dim; ++i)
       d.half[a][i] = load_lanes(points.deformation_gradient[i * Dim + a], p, size) * half_size;
   }
+  if (all(longest > Pack(0.0))) limit_diagonals<Dim>(d.half, longest);
   invert(d.half, d.inverse);
   return d;
 }
 
-/// Where the corners of eight domains lie.
-struct Reach {
-  Pack lowest, highest; ///< index along the last axis of the nodes
-  Mask inside;          ///< whether all are on the grid
-};
-
-/// Weights of eight points, corner by corner: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1,
-/// …) tells the corner; for a parallelogram these are eqs. (18) and (20) of the paper.
+/// Corner c of eight domains: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1, …) tells the
+/// corner; for a parallelogram these are eqs. (18) and (20) of the paper.
 template <int Dim>
-void add_corner(const Grid<Dim>& grid, const Domains<Dim>& domains, int corner, const StencilEntries<Dim>& entries,
-                Reach& reach) {
+Corner<Dim> corner_of(const Domains<Dim>& domains, int c) {
   constexpr int corners = power(2, Dim);
-  PackVector<Dim> x = domains.centre, weight_of_slope;
-  weight_of_slope.fill(Pack(0.0));
+  Corner<Dim> corner{.place = domains.centre, .weight = Pack(1.0 / corners), .slope = {}};
+  corner.slope.fill(Pack(0.0));
   for (int a = 0; a < Dim; ++a) {
-    const Pack s((corner >> a) & 1 ? 1.0 : -1.0), share((corner >> a) & 1 ? 1.0 / corners : -1.0 / corners);
+    const Pack s(corner_sign(c, a)), share(corner_sign(c, a) * (1.0 / corners));
     for (int i = 0; i < Dim; ++i) {
-      x[i] += s * domains.half[a][i];
-      weight_of_slope[i] += share * domains.inverse[a][i];
+      corner.place[i] += s * domains.half[a][i];
+      corner.slope[i] += share * domains.inverse[a][i];
     }
   }
-
-  PackVector<Dim> xi; // place in the corner's cell, 0 to 1
-  const Counts<Dim> strides = grid.strides();
-  Pack base(0.0), row;
-  for (int a = 0; a < Dim; ++a) {
-    const Pack place = (x[a] - Pack(grid.origin[a])) * Pack(1.0 / grid.cell[a]), lowest = floor(place);
-    const Mask fits = lowest >= Pack(0.0) && lowest <= Pack(grid.nodes[a] - 2); // false for NaN too
-    xi[a] = place - lowest;
-    row = select(fits, lowest, Pack(0.0));
-    base += row * Pack(strides[a]);
-    reach.inside = reach.inside && fits;
-  }
-  reach.lowest = min(reach.lowest, row);
-  reach.highest = max(reach.highest, row + Pack(1.0));
-
-  entries.set_base(corner, whole_numbers(base));
-  for (int n = 0; n < corners; ++n) {
-    const int entry = corner * corners + n;
-    Pack N(1.0);
-    for (int a = 0; a < Dim; ++a) N *= (n >> a) & 1 ? xi[a] : Pack(1.0) - xi[a];
-    entries.set_value(entry, N * Pack(1.0 / corners));
-    for (int a = 0; a < Dim; ++a) entries.set_slope(entry, a, N * weight_of_slope[a]);
-  }
-}
-
-/// The nodes of a corner's cell are a patch.
-template <int Dim>
-void set_patches(const Grid<Dim>& grid, StencilGroup<Dim>& group) {
-  const Counts<Dim> strides = grid.strides();
-  group.count = power(4, Dim);
-  group.shape = {power(2, Dim - 1), 2};
-  for (int r = 0; r < group.shape.rows; ++r) group.row[r] = (r & 1) * strides[1] + (r >> 1) * strides[Dim - 1];
+  return corner;
 }
 
 } // namespace
 
 template <int Dim>
 void Cpdi<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const {
+  const Pack longest(limit_ * grid.cell.minCoeff());
   for (Index p = block.begin; p < block.end; p += pack_size) {
-    StencilGroup<Dim>& group = stencils.group_of(p);
-    set_patches(grid, group);
-    const Domains<Dim> domains = domains_of(points, p);
-    Reach reach{.lowest = Pack(grid.nodes[Dim - 1]), .highest = Pack(0.0), .inside = Pack(0.0) <= Pack(0.0)};
-    for (int corner = 0; corner < power(2, Dim); ++corner) add_corner<Dim>(grid, domains, corner, group, reach);
-    group.lowest = whole_numbers(reach.lowest);
-    group.highest = whole_numbers(reach.highest);
-    group.keep_lanes(reach.inside);
+    const Domains<Dim> domains = domains_of(points, p, longest);
+    const auto corner = [&](int c) { return corner_of<Dim>(domains, c); };
+    fill_corners<Dim>(grid, corner, Pack(0.0) <= Pack(0.0), stencils.group_of(p));
   }
 }
 
 template <int Dim>
-Mat<Dim> Cpdi<Dim>::domain(const Grid<Dim>&, const Points<Dim>& points, Index p) const {
-  Mat<Dim> R = points.deformation_gradient_of(p);
-  for (int a = 0; a < Dim; ++a) R.col(a) *= points.half_size[a][p];
+Mat<Dim> Cpdi<Dim>::domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const {
+  const Index first = p / pack_size * pack_size;
+  const Domains<Dim> domains = domains_of(points, first, Pack(limit_ * grid.cell.minCoeff()));
+  Mat<Dim> R;
+  for (int a = 0; a < Dim; ++a)
+    for (int i = 0; i < Dim; ++i) {
+      std::array<double, pack_size> lane;
+      domains.half[a][i].store(lane.data());
+      R(i, a) = lane[p - first];
+    }
   return R;
 }
 

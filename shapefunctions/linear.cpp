@@ -22,14 +22,6 @@ void Linear<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Ran
   }
 }
 
-template <int Dim>
-Mat<Dim> Linear<Dim>::domain(const Grid<Dim>&, const Points<Dim>& points, Index p) const {
-  // The scheme knows no domain; a box of the point's volume, in the proportions it started with, stands for it.
-  Vec<Dim> half;
-  for (int a = 0; a < Dim; ++a) half[a] = points.half_size[a][p];
-  return (half * std::pow(points.volume[0][p] / points.initial_volume[0][p], 1.0 / Dim)).asDiagonal();
-}
-
 template class Linear<2>;
 template class Linear<3>;
 

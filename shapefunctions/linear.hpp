@@ -15,7 +15,6 @@ public:
   [[nodiscard]] int margin() const override { return 0; }
   [[nodiscard]] bool spreads_points() const override { return false; }
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
-  [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
 };
 
 } // namespace riedel

@@ -21,6 +21,8 @@ struct AxisLanes {
 struct Axis {
   Pack h, per_h;  ///< cell size [m] and 1/h
   Pack l, per_2l; ///< half width of the points' domains [m] and 1/(2 l)
+  Pack first;     ///< index along the axis of the first node
+  Walls walls;    ///< the grid's along the axis
 };
 
 /// The factors of `Nodes` nodes in a row, from a function of the distance r [m] from a node.
@@ -88,10 +90,12 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
   Pack base(0.0), row;
   Mask inside;
   for (int a = 0; a < Dim; ++a) {
-    const Axis axis{.h = grid.cell[a],
-                    .per_h = 1.0 / grid.cell[a],
-                    .l = lanes[a].half_width,
-                    .per_2l = Pack(0.5) / lanes[a].half_width};
+    Axis axis{.h = grid.cell[a],
+              .per_h = 1.0 / grid.cell[a],
+              .l = lanes[a].half_width,
+              .per_2l = Pack(0.5) / lanes[a].half_width,
+              .first = Pack(0.0),
+              .walls = grid.walls[a]};
     // Node i is reached when x − l − h < i h < x + l + h, so the first one is ⌊(x − l)/h⌋.
     const Pack place = (lanes[a].position - Pack(grid.origin[a])) * axis.per_h;
     const Pack lowest = floor(place - axis.l * axis.per_h);
@@ -99,6 +103,7 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
     inside = a == 0 ? fits : inside && fits;
     row = select(fits, lowest, Pack(0.0));
     base += row * Pack(strides[a]);
+    axis.first = lowest;
     // Compilers may round `place` twice; the bounds hold all the same.
     const Pack least = axis.l * axis.per_h;
     factor[a] = function(max(least, min(place - lowest, least + Pack(1.0 - 0x1p-53))), axis);

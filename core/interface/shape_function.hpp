@@ -3,10 +3,15 @@
 
 #include "core/base/registry.hpp"
 #include "core/state/grid.hpp"
+#include "core/state/nodes.hpp"
 #include "core/state/points.hpp"
 #include "core/state/stencils.hpp"
 
 namespace riedel {
+
+/// Corners of a point's domain [m]: corner c lies on the upper side along axis a where bit a of c is set.
+template <int Dim>
+using Corners = std::array<Vec<Dim>, power(2, Dim)>;
 
 /// Contract, tested for every registered scheme in two and three dimensions: Σ N = 1, Σ ∇N = 0, linear fields and their
 /// gradients are exact. N and ∇N may have different support.
@@ -22,6 +27,9 @@ public:
   [[nodiscard]] virtual int max_nodes() const = 0;
   /// Layers of nodes needed beyond those of a cell that holds a point.
   [[nodiscard]] virtual int margin() const = 0;
+  /// Share of a point's mass below which a node carries no motion [-]: slivers under hats have forces that do not fade
+  /// with their mass. Where slopes fade, too, a node left out would be missed by them before it is by the masses.
+  [[nodiscard]] virtual double least_weight() const { return 1e-12; }
   /// Fills the stencils of the points in `block`, whole groups of eight: `block.begin` is a multiple of eight. Lanes
   /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
@@ -29,11 +37,57 @@ public:
   /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
   /// (x_i − x_p) has an inverse, which APIC needs. Hats at a point have none on a line of nodes.
   [[nodiscard]] virtual bool spreads_points() const { return true; }
-  /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw.
-  [[nodiscard]] virtual Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const = 0;
+
+  /// Numbers that the scheme keeps for each point from step to step, in `points.of_scheme`: the library makes room for
+  /// them and carries them with the points.
+  [[nodiscard]] virtual int columns() const { return 0; }
+  /// Sets these numbers, from positions, domains and deformation.
+  virtual void start(const Grid<Dim>&, Points<Dim>&) const {}
+  /// At the end of a step, if there are such numbers: moves them, and positions if it must, with the velocities of the
+  /// nodes that deformed the points in `block`. Points may be in motion on other threads.
+  virtual void move(const Grid<Dim>&, const Nodes<Dim>&, double /*dt*/, Points<Dim>&, Range /*block*/) const {}
+
+  /// Numbers that the scheme works out for each node at the start of a step.
+  [[nodiscard]] virtual int node_columns() const { return 0; }
+  /// Works them out for one body, before its stencils: the same bits for any number of threads, nothing allocated.
+  /// Stencils carry them to `evaluate`.
+  virtual void prepare(const Grid<Dim>&, const Points<Dim>&, Columns& /*of_nodes*/) const {}
+
+  /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw. For a
+  /// scheme that knows no domain a box of the point's volume, in the proportions it started with, stands for it.
+  [[nodiscard]] virtual Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const;
+  /// Corners of the domain to draw, for one that is no parallelogram.
+  [[nodiscard]] virtual Corners<Dim> corners(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const;
 };
 
 template <int Dim>
-using ShapeFunctions = Registry<std::unique_ptr<ShapeFunction<Dim>>()>;
+Mat<Dim> ShapeFunction<Dim>::domain(const Grid<Dim>&, const Points<Dim>& points, Index p) const {
+  Vec<Dim> half;
+  for (int a = 0; a < Dim; ++a) half[a] = points.half_size[a][p];
+  return (half * std::pow(points.volume[0][p] / points.initial_volume[0][p], 1.0 / Dim)).asDiagonal();
+}
+
+template <int Dim>
+Corners<Dim> ShapeFunction<Dim>::corners(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const {
+  const Mat<Dim> R = domain(grid, points, p);
+  Corners<Dim> all;
+  for (int c = 0; c < power(2, Dim); ++c) {
+    all[c] = points.position_of(p);
+    for (int a = 0; a < Dim; ++a) all[c] += ((c >> a) & 1 ? 1 : -1) * R.col(a);
+  }
+  return all;
+}
+
+/// Makes room for what a scheme keeps for each point, and sets it.
+template <int Dim>
+void start(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points) {
+  if (points.of_scheme.components() != scheme.columns()) points.of_scheme = Columns(scheme.columns());
+  if (points.of_scheme.size() != points.size()) points.of_scheme.resize(points.size());
+  scheme.start(grid, points);
+}
+
+/// @param options the section `interpolation` of a case
+template <int Dim>
+using ShapeFunctions = Registry<std::unique_ptr<ShapeFunction<Dim>>(const Values& options)>;
 
 } // namespace riedel

@@ -84,16 +84,12 @@ void add_fields(const Body<Dim>& body, std::vector<Field>& fields) {
              [&](Index p, int) { return polar_rotation<Dim>(points.deformation_gradient_of(p)); });
 }
 
-/// Corners x + R s in VTK's order: counter-clockwise, the lower face first.
+/// Corners in VTK's order: counter-clockwise, the lower face first.
 template <int Dim>
-void add_corners(const Vec<Dim>& x, const Mat<Dim>& R, std::vector<double>& corners) {
-  constexpr std::array<std::array<int, 3>, 8> sign{
-      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
-  for (std::size_t c = 0; c < static_cast<std::size_t>(power(2, Dim)); ++c) {
-    Vec<Dim> corner = x;
-    for (int a = 0; a < Dim; ++a) corner += sign[c][static_cast<std::size_t>(a)] * R.col(a);
-    for (int a = 0; a < 3; ++a) corners.push_back(a < Dim ? corner[a] : 0.0);
-  }
+void add_corners(const Corners<Dim>& of_domain, std::vector<double>& corners) {
+  constexpr std::array<std::size_t, 8> order{0, 1, 3, 2, 4, 5, 7, 6};
+  for (std::size_t c = 0; c < of_domain.size(); ++c)
+    for (int a = 0; a < 3; ++a) corners.push_back(a < Dim ? of_domain[order[c]][a] : 0.0);
 }
 
 } // namespace
@@ -106,7 +102,7 @@ Frame snapshot(const Simulation<Dim>& simulation, double u_over_h) {
   for (const Index p : body.points.place) {
     const Vec<Dim> x = body.points.position_of(p);
     for (int a = 0; a < 3; ++a) frame.position.push_back(a < Dim ? x[a] : 0.0);
-    add_corners<Dim>(x, simulation.model().scheme->domain(state.grid, body.points, p), frame.corners);
+    add_corners<Dim>(simulation.model().scheme->corners(state.grid, body.points, p), frame.corners);
   }
   add_fields(body, frame.fields);
   return frame;

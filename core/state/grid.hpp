@@ -3,7 +3,16 @@
 
 #include "core/base/types.hpp"
 
+#include <limits>
+
 namespace riedel {
+
+/// Rows of nodes between which material can lie along one axis: all nodes from the first down, or from the last up,
+/// move as one.
+struct Walls {
+  static constexpr Index none_below = std::numeric_limits<Index>::min(), none_above = std::numeric_limits<Index>::max();
+  Index first = none_below, last = none_above;
+};
 
 /// Nodes are numbered with the first axis fastest.
 template <int Dim>
@@ -12,6 +21,7 @@ struct Grid {
   Vec<Dim> cell = Vec<Dim>::Ones();    ///< cell size h [m]
   Vec<Dim> stretch = Vec<Dim>::Ones(); ///< h over its initial value, for a grid that follows a platen [-]
   Counts<Dim> nodes{};                 ///< nodes along each axis
+  std::array<Walls, Dim> walls{};      ///< along each axis, for schemes whose functions end at a boundary
 
   [[nodiscard]] Index node_count() const {
     Index count = 1;

@@ -85,6 +85,8 @@ public:
       groups_[g].slope = slope_.data() + at * Dim;
     }
   }
+  const Columns* of_nodes = nullptr; ///< what the scheme's pre-pass left on the nodes; null without one
+
   /// From now on the first group is that of `first`, a multiple of eight.
   void begin_at(Index first) { first_ = first / pack_size; }
   /// The group that holds point p; p's lane in it is p mod 8.

@@ -67,7 +67,24 @@ std::vector<Index> nodes_of(const Grid<Dim>& grid, const NodeCondition<Dim>& con
 }
 
 template <int Dim>
+std::array<Walls, Dim> walls_of(const Grid<Dim>& grid, const std::vector<NodeCondition<Dim>>& conditions) {
+  std::array<Walls, Dim> walls{};
+  for (const NodeCondition<Dim>& c : conditions) {
+    bool across = true; // covers the grid from side to side
+    for (int a = 0; a < Dim; ++a)
+      across = across && (a == c.axis || (c.first[a] <= 0 && c.last[a] >= grid.nodes[a] - 1));
+    if (!across) continue;
+    Walls& wall = walls[c.axis];
+    const bool from_below = c.first[c.axis] <= 0, from_above = c.last[c.axis] >= grid.nodes[c.axis] - 1;
+    if (from_below && !from_above) wall.first = std::max(wall.first, c.last[c.axis]);
+    if (from_above && !from_below) wall.last = std::min(wall.last, c.first[c.axis]);
+  }
+  return walls;
+}
+
+template <int Dim>
 void bind_conditions(State<Dim>& state, const std::vector<NodeCondition<Dim>>& conditions) {
+  state.grid.walls = walls_of(state.grid, conditions);
   state.held.clear();
   for (const NodeCondition<Dim>& c : conditions) {
     state.held.push_back({.name = c.name, .axis = c.axis, .nodes = nodes_of(state.grid, c), .velocity = c.velocity});
@@ -85,6 +102,7 @@ void find_rigid_nodes(State<Dim>& state, const ShapeFunction<Dim>& scheme) {
     RigidBody<Dim>& body = state.rigid_bodies[b];
     std::vector<Index>& nodes = state.held[state.held.size() - state.rigid_bodies.size() + b].nodes;
     nodes.clear();
+    start(scheme, state.grid, body.points);
     scheme.evaluate(state.grid, body.points, {0, body.points.size()}, body.stencils);
     for (Index p = 0; p < body.points.size(); ++p) {
       const StencilGroup<Dim>& group = body.stencils.group_of(p);
@@ -132,6 +150,8 @@ void hold_velocities(State<Dim>& state, double time) {
 
 template std::vector<Index> nodes_of<2>(const Grid<2>&, const NodeCondition<2>&);
 template std::vector<Index> nodes_of<3>(const Grid<3>&, const NodeCondition<3>&);
+template std::array<Walls, 2> walls_of<2>(const Grid<2>&, const std::vector<NodeCondition<2>>&);
+template std::array<Walls, 3> walls_of<3>(const Grid<3>&, const std::vector<NodeCondition<3>>&);
 template void bind_conditions<2>(State<2>&, const std::vector<NodeCondition<2>>&);
 template void bind_conditions<3>(State<3>&, const std::vector<NodeCondition<3>>&);
 template void find_rigid_nodes<2>(State<2>&, const ShapeFunction<2>&);

@@ -33,7 +33,12 @@ std::function<double(double)> ramped(double speed, double ramp_time);
 template <int Dim>
 std::vector<Index> nodes_of(const Grid<Dim>& grid, const NodeCondition<Dim>& condition);
 
-/// Makes state.held from the conditions and the rigid bodies, in this order.
+/// Rows of nodes from which on, to the grid's end, a condition holds the velocity across them: walls. Of two on one
+/// side, the inner one.
+template <int Dim>
+std::array<Walls, Dim> walls_of(const Grid<Dim>& grid, const std::vector<NodeCondition<Dim>>& conditions);
+
+/// Makes state.held from the conditions and the rigid bodies, in this order, and finds the grid's walls.
 template <int Dim>
 void bind_conditions(State<Dim>& state, const std::vector<NodeCondition<Dim>>& conditions);
 

@@ -89,7 +89,7 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
         scatter<Use::values>(group, shares, state.nodes);
       });
   }
-  divide_momentum(state);
+  divide_momentum(state, model);
 }
 
 template <int Dim>
@@ -103,6 +103,17 @@ void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   });
 }
 
+template <int Dim>
+void move_scheme_columns(State<Dim>& state, const Model<Dim>& model, double dt) {
+  if (model.scheme->columns() == 0) return;
+  const PhaseClock::Lap lap(state.clock, Phase::kinematics);
+  for (Body<Dim>& body : state.bodies)
+    for_each_block(body.points.size(),
+                   [&](Range block) { model.scheme->move(state.grid, state.nodes, dt, body.points, block); });
+}
+
+template void move_scheme_columns<2>(State<2>&, const Model<2>&, double);
+template void move_scheme_columns<3>(State<3>&, const Model<3>&, double);
 template void move_points<2>(State<2>&, const Model<2>&, double);
 template void move_points<3>(State<3>&, const Model<3>&, double);
 template void update_kinematics<2>(State<2>&, const Model<2>&, double);

@@ -26,4 +26,8 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt);
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt);
 
+/// At the end of a step: what the scheme keeps for each point takes part in the motion.
+template <int Dim>
+void move_scheme_columns(State<Dim>& state, const Model<Dim>& model, double dt);
+
 } // namespace riedel

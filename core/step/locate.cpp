@@ -17,8 +17,9 @@ void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) 
       if (!stencils.group_of(p).lost[p % pack_size]) continue;
       std::string where;
       for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(points.position[a][p]);
+      const char* const otherwise = model.scheme->columns() > 0 ? ", or its domain has turned inside out" : "";
       throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name + "' left the grid at (" + where +
-                     ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
+                     ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s" + otherwise);
     }
   }
 }
@@ -37,6 +38,7 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   state.nodes.resize(state.grid.node_count());
   if (model.transfer == VelocityTransfer::xpic) state.nodes.filter.resize(state.nodes.motion.size());
   for (Body<Dim>& body : state.bodies) {
+    start(*model.scheme, state.grid, body.points);
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
     body.way.resize(body.points.size());
     if (is_affine(model.transfer) && body.points.affine.components() == 0) {

@@ -1,5 +1,6 @@
 #include "core/step/simulation.hpp"
 
+#include "core/step/grid_to_points.hpp"
 #include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/stress_update.hpp"
@@ -55,6 +56,7 @@ void Simulation<Dim>::step() {
   locate_points(state_, model_);
   find_rigid_nodes(state_, *model_.scheme);
   model_.step(state_, model_, dt);
+  move_scheme_columns(state_, model_, dt);
   state_.load_work += surface_work(state_, model_, dt);
   move_rigid_points(state_, state_.time + dt, dt);
   follow_platens(dt);

@@ -24,13 +24,18 @@ void StencilBlocks<Dim>::resize(Index points, int max_nodes, std::optional<bool>
 template <int Dim>
 void StencilBlocks<Dim>::begin_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                                     PhaseClock& clock) {
-  if (keeps_) {
-    const PhaseClock::Lap lap(clock, Phase::stencils);
-    for_each_block(points.size(), [&](Range block) { scheme.evaluate(grid, points, block, kept_); });
-  } else {
+  if (!keeps_)
     while (buffers_.size() < static_cast<std::size_t>(most_threads()))
       buffers_.emplace_back().resize(stencil_block, max_nodes_);
+  const PhaseClock::Lap lap(clock, Phase::stencils);
+  if (scheme.node_columns() > 0) {
+    if (of_nodes_.components() != scheme.node_columns()) of_nodes_ = Columns(scheme.node_columns());
+    if (of_nodes_.size() != grid.node_count()) of_nodes_.resize(grid.node_count());
+    scheme.prepare(grid, points, of_nodes_);
+    kept_.of_nodes = &of_nodes_;
+    for (Stencils<Dim>& buffer : buffers_) buffer.of_nodes = &of_nodes_;
   }
+  if (keeps_) for_each_block(points.size(), [&](Range block) { scheme.evaluate(grid, points, block, kept_); });
 }
 
 template <int Dim>

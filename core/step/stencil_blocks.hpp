@@ -21,7 +21,7 @@ public:
   void resize(Index points, int max_nodes, std::optional<bool> keep);
   [[nodiscard]] bool keeps() const { return keeps_; }
 
-  /// At the start of a step: room for each thread, and all stencils if they are kept.
+  /// At the start of a step: the scheme's pre-pass, room for each thread, and all stencils if they are kept.
   void begin_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                   PhaseClock& clock);
 
@@ -32,6 +32,7 @@ public:
 private:
   bool keeps_ = false;
   int max_nodes_ = 0;
+  Columns of_nodes_{0}; ///< of the scheme's pre-pass
   Stencils<Dim> kept_;
   std::vector<Stencils<Dim>> buffers_; ///< one for each thread
 };

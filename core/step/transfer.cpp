@@ -17,10 +17,10 @@ bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, con
   });
 }
 
-/// Nodes with less than a round-off share of a point carry no motion.
+/// Of a node that carries motion.
 template <int Dim>
-double least_mass(const State<Dim>& state) {
-  return 1e-12 * state.bodies.front().points.mass[0][0];
+double least_mass(const State<Dim>& state, const Model<Dim>& model) {
+  return model.scheme->least_weight() * state.bodies.front().points.mass[0][0];
 }
 
 } // namespace
@@ -62,7 +62,7 @@ void map_forces(State<Dim>& state, const Model<Dim>& model) {
 template <int Dim>
 void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
-  const double least = least_mass(state);
+  const double least = least_mass(state, model);
   parallel_for(state.nodes.size(), [&](Index i) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
     NodeMotion<Dim>& motion = state.nodes.motion[i];
@@ -77,9 +77,9 @@ void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
 }
 
 template <int Dim>
-void divide_momentum(State<Dim>& state) {
+void divide_momentum(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
-  const double least = least_mass(state);
+  const double least = least_mass(state, model);
   parallel_for(state.nodes.size(), [&](Index i) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
     if (sums.mass > least) state.nodes.motion[i].velocity = sums.momentum * (1.0 / sums.mass);
@@ -94,7 +94,7 @@ template void map_forces<2>(State<2>&, const Model<2>&);
 template void map_forces<3>(State<3>&, const Model<3>&);
 template void advance_momentum<2>(State<2>&, const Model<2>&, double);
 template void advance_momentum<3>(State<3>&, const Model<3>&, double);
-template void divide_momentum<2>(State<2>&);
-template void divide_momentum<3>(State<3>&);
+template void divide_momentum<2>(State<2>&, const Model<2>&);
+template void divide_momentum<3>(State<3>&, const Model<3>&);
 
 } // namespace riedel

@@ -23,6 +23,6 @@ void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt);
 
 /// v_i = (mv)_i/m_i, the accelerations as they are.
 template <int Dim>
-void divide_momentum(State<Dim>& state);
+void divide_momentum(State<Dim>& state, const Model<Dim>& model);
 
 } // namespace riedel

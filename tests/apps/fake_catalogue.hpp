@@ -38,7 +38,7 @@ inline Catalogue fake_catalogue() {
   Catalogue catalogue;
   for (const std::string name : {"linear", "gimp", "cpgimp", "cpdi"})
     catalogue.in_2d.schemes.add({name, "a scheme", "a paper"},
-                                [name] { return std::make_unique<FakeScheme>(name != "linear"); });
+                                [name](const Values&) { return std::make_unique<FakeScheme>(name != "linear"); });
   for (const char* name : {"cgal_kd_tree", "cell_list"})
     catalogue.in_2d.searches.add({name, "a search", "a paper"}, [] { return nullptr; });
   catalogue.in_2d.averagers.add({"gauss", "an averager", "a paper"}, [](double, auto) { return nullptr; });

@@ -46,6 +46,27 @@ TEST(RampedVelocity, RisesSmoothlyFromZeroToItsValue) {
 
 TEST(RampedVelocity, IsThereAtOnceWithoutARamp) { EXPECT_EQ(ramped(0.1, 0.0)(0.0), 0.1); }
 
+TEST(Walls, BeginWhereAConditionHoldsEverythingUpToTheGridsEnd) {
+  const auto walls = [](std::vector<NodeCondition<2>> conditions) { return HeldGrid(conditions).state.grid.walls; };
+  const auto along_y = [](Index first, Index last) {
+    return NodeCondition<2>{.name = "", .first = {0, first}, .last = {3, last}, .axis = 1, .velocity = still};
+  };
+  EXPECT_EQ(walls({})[1].first, Walls::none_below);
+  EXPECT_EQ(walls({along_y(0, 1)})[1].first, 1);
+  EXPECT_EQ(walls({along_y(0, 1)})[1].last, Walls::none_above);
+  EXPECT_EQ(walls({along_y(0, 1)})[0].first, Walls::none_below);
+  EXPECT_EQ(walls({along_y(0, 0), along_y(0, 1), along_y(2, 2)})[1].first, 1) << "the inner one";
+  EXPECT_EQ(walls({along_y(2, 2)})[1].last, 2);
+  EXPECT_EQ(walls({along_y(1, 1)})[1].first, Walls::none_below) << "a row in the middle of the grid";
+  EXPECT_EQ(walls({along_y(0, 2)})[1].first, Walls::none_below) << "the whole grid held";
+  NodeCondition<2> sliding = along_y(0, 1);
+  sliding.axis = 0;
+  EXPECT_EQ(walls({sliding})[1].first, Walls::none_below) << "held along the row, not across";
+  NodeCondition<2> pin = along_y(0, 1);
+  pin.first[0] = 1;
+  EXPECT_EQ(walls({pin})[1].first, Walls::none_below) << "part of a row";
+}
+
 TEST(NodeCondition, TakesTheNodesOfABoxBothCornersIncluded) {
   const HeldGrid held({});
   const auto nodes = [&](Counts<2> first, Counts<2> last) {

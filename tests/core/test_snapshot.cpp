@@ -94,6 +94,15 @@ TEST(Snapshot, DrawsAShearedDomainCounterClockwise) {
               Pointwise(DoubleNear(1e-12), {-0.15, -0.1, 0.0, 0.65, -0.1, 0.0, 1.15, 1.1, 0.0, 0.35, 1.1, 0.0}));
 }
 
+TEST(Snapshot, DrawsTheRealQuadrilateralOfADomainWithCornersOfItsOwn) {
+  Simulation<2> simulation = single_point<2>("cpdi2", Mat<2>::Identity(), {0.4, 0.5});
+  Points<2>& points = simulation.state().bodies.front().points;
+  points.of_scheme[3 * 2 + 0][0] += 0.3; // the upper right corner
+  points.of_scheme[3 * 2 + 1][0] += 0.2;
+  EXPECT_THAT(snapshot(simulation, 0.0).corners,
+              Pointwise(DoubleNear(1e-12), {0.1, 0.0, 0.0, 0.9, 0.0, 0.0, 1.2, 1.2, 0.0, 0.1, 1.0, 0.0}));
+}
+
 TEST(Snapshot, DrawsABoxInTheOrderOfVtksHexahedron) {
   const Frame frame = snapshot(single_point<3>("cpdi", Mat<3>::Identity(), {0.1, 0.2, 0.3}), 0.0);
   EXPECT_THAT(frame.corners,

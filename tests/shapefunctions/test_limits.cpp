@@ -1,47 +1,15 @@
 /// Where one scheme must turn into another.
-#include "support/problems.hpp"
+#include "shapefunctions/one_stencil.hpp"
 
 #include <gtest/gtest.h>
 
 namespace riedel::test {
 namespace {
 
-/// N_ip and ∇N_ip of the point at x by node, summed over entries: [node][0] = N, [node][1 + a] = ∂N/∂x_a.
-template <int Dim>
-std::vector<Eigen::Matrix<double, Dim + 1, 1>> weights(const std::string& name, const Vec<Dim>& x, double half_size,
-                                                       const Mat<Dim>& F) {
-  Counts<Dim> cells;
-  cells.fill(4);
-  const Grid<Dim> grid = grid_of<Dim>(cells, 1.0, 4);
-  Points<Dim> points;
-  points.resize(1, 0);
-  for (int a = 0; a < Dim; ++a) {
-    points.position[a][0] = x[a];
-    points.half_size[a][0] = half_size;
-    for (int b = 0; b < Dim; ++b) points.deformation_gradient[a * Dim + b][0] = F(a, b);
-  }
-  const auto shape = scheme<Dim>(name);
-  Stencils<Dim> stencils;
-  stencils.resize(1, shape->max_nodes());
-  shape->evaluate(grid, points, {0, 1}, stencils);
-  std::vector<Eigen::Matrix<double, Dim + 1, 1>> all(static_cast<std::size_t>(grid.node_count()));
-  for (auto& w : all) w.setZero();
-  const StencilGroup<Dim>& group = stencils.group_of(0);
-  for (int e = 0; e < group.count; ++e) {
-    auto& w = all[static_cast<std::size_t>(group.node_of(e, 0))];
-    w[0] += group.value_of(e, 0);
-    for (int a = 0; a < Dim; ++a) w[a + 1] += group.slope[(e * Dim + a) * pack_size];
-  }
-  return all;
-}
-
 template <int Dim>
 double difference(const std::string& a, const std::string& b, const Vec<Dim>& x, double half_size,
                   const Mat<Dim>& F = Mat<Dim>::Identity()) {
-  const auto A = weights<Dim>(a, x, half_size, F), B = weights<Dim>(b, x, half_size, F);
-  double most = 0.0;
-  for (std::size_t i = 0; i < A.size(); ++i) most = std::max(most, (A[i] - B[i]).cwiseAbs().maxCoeff());
-  return most;
+  return test::difference<Dim>(weights<Dim>(a, x, half_size, F), weights<Dim>(b, x, half_size, F));
 }
 
 TEST(Gimp, TurnsIntoTheLinearSchemeAsTheDomainShrinks) {

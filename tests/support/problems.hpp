@@ -22,8 +22,26 @@ inline std::shared_ptr<const Material> material(const std::string& name, std::ma
 }
 
 template <int Dim>
-std::shared_ptr<const ShapeFunction<Dim>> scheme(const std::string& name) {
-  return catalogue().in<Dim>().schemes.find(name).make();
+std::shared_ptr<const ShapeFunction<Dim>> scheme(const std::string& name,
+                                                 const std::map<std::string, Value>& with = {}) {
+  const auto& entry = catalogue().in<Dim>().schemes.find(name);
+  Values values(entry.description.parameters);
+  for (const auto& [key, value] : with) values.set(key, value);
+  return entry.make(values);
+}
+
+/// Stencils of points that have just been put where they are.
+template <int Dim>
+void evaluate_anew(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points, Columns& of_nodes,
+                   Stencils<Dim>& stencils) {
+  start(scheme, grid, points);
+  if (scheme.node_columns() > 0) {
+    of_nodes = Columns(scheme.node_columns());
+    of_nodes.resize(grid.node_count());
+    scheme.prepare(grid, points, of_nodes);
+    stencils.of_nodes = &of_nodes;
+  }
+  scheme.evaluate(grid, points, {0, points.size()}, stencils);
 }
 
 /// A grid of `cells` cells of size h around the origin-based box, with `margin` layers of cells on every side.

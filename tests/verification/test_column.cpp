@@ -35,8 +35,14 @@ Simulation<2> column(const std::string& scheme_name, Index cells, Index per_cell
   return {std::move(model), std::move(state)};
 }
 
-/// Stops the motion whenever its energy has begun to fall, until nearly none comes back.
-void relax(Simulation<2>& simulation, Index steps) {
+/// Weights at the point alone, whose gradients reach beyond its cell. At the free end they see nodes that the material
+/// hardly fills, which takes the place of the error of hats.
+bool reaches_without_domain(const std::string& scheme_name) {
+  return scheme_name == "ddmp" || scheme_name == "bspline2" || scheme_name == "bspline3";
+}
+
+/// Stops the motion whenever its energy has begun to fall, until no more than a share of the greatest comes back.
+void relax(Simulation<2>& simulation, Index steps, double share) {
   Points<2>& points = simulation.state().bodies[0].points;
   double before = 0.0, most = 0.0, now = 0.0;
   for (Index i = 0; i < steps; ++i) {
@@ -47,7 +53,7 @@ void relax(Simulation<2>& simulation, Index steps) {
       for (const int a : {0, 1}) points.velocity.fill(a, 0.0);
     before = now < before ? 0.0 : now;
   }
-  EXPECT_LT(now, 1e-8 * most) << "the column is not at rest";
+  EXPECT_LT(now, share * most) << "the column is not at rest";
 }
 
 /// L2 norm of the error of σ_yy over that of σ_yy.
@@ -58,7 +64,9 @@ double error(const std::string& scheme_name, Index cells, Index per_cell, double
   for (Index p = 0; p < points.size(); ++p)
     exact[static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)])] =
         -density * gravity * (height - points.position[1][p]);
-  relax(simulation, 100 * cells);
+  // Wide functions come to rest slowly; the motion left moves the stress by less than 3e-4, the root of its share.
+  const bool slow = reaches_without_domain(scheme_name);
+  relax(simulation, (slow ? 200 : 100) * cells, slow ? 5e-8 : 1e-8);
   double squared = 0.0, whole = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
     const double sigma = exact[static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)])];
@@ -93,6 +101,11 @@ TEST_P(ColumnTest, CarriesItsWeightWithFirstOrderAtSmallStrain) {
   EXPECT_GT(two.order(), 0.98);
   EXPECT_LT(two.errors[0], 1.02 * std::sqrt(3.0) / 32.0);
   const Convergence one = refine(GetParam(), 1, 1e-3);
+  if (GetParam() == "ddmp" || GetParam() == "bspline3") { // the error of the free end
+    EXPECT_GT(one.order(), 1.4);
+    EXPECT_LT(one.errors[0], 0.02);
+    return;
+  }
   for (const double error : one.errors) EXPECT_LT(error, 1e-3) << "as small as the strain";
 }
 
@@ -103,6 +116,13 @@ TEST_P(ColumnTest, ConvergesWhilePointsMoveWithinTheirCells) {
       "linear") { // weights that do not see the points' new lengths: an error that no refinement takes away
     for (const double error : one.errors) EXPECT_NEAR(error, 0.78 * 0.02, 0.02 * 0.02);
     EXPECT_GT(two.errors[2], two.errors[1]);
+    return;
+  }
+  if (reaches_without_domain(GetParam())) { // they do not see lengths, either, but smooth what they miss
+    EXPECT_LT(one.errors[0], 0.025);
+    EXPECT_GT(one.order(), 0.35);
+    EXPECT_GT(two.order(), 1.1);
+    EXPECT_LT(two.errors[2], 5e-3);
     return;
   }
   EXPECT_LT(one.errors[0], 5e-3);
@@ -119,6 +139,8 @@ TEST_P(ColumnTest, ConvergesWhilePointsCrossCellsIfItsDomainsFollowTheStretch) {
   } else if (GetParam() == "gimp") { // domains overlap, by the strain
     EXPECT_GT(two.order(), 0.7);
     EXPECT_LT(two.errors[2], 0.02);
+  } else if (reaches_without_domain(GetParam())) { // a tenth of the hats' error stays, that of sums over points
+    EXPECT_LT(two.errors[2], 0.015);
   } else {
     EXPECT_GT(two.order(), 1.1);
     EXPECT_LT(two.errors[2], 0.01);

@@ -121,7 +121,8 @@ TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
 }
 
 /// A tall elastic block, wrung and stretched at the start.
-std::vector<double> wrung_block(int threads, VelocityTransfer transfer) {
+std::vector<double> wrung_block(const std::string& scheme_name, int threads,
+                                VelocityTransfer transfer = VelocityTransfer::flip) {
   omp_set_num_threads(threads);
   State<3> state = elastic_state<3>({3, 3, 24}, 0.1, 1, 5, [](const Vec<3>&) { return true; });
   Points<3>& points = state.bodies[0].points;
@@ -131,7 +132,7 @@ std::vector<double> wrung_block(int threads, VelocityTransfer transfer) {
     points.velocity[1][p] = turn * points.position[0][p];
     points.velocity[2][p] = 3.0 * points.position[2][p];
   }
-  Model<3> model = model_with<3>("cpdi");
+  Model<3> model = model_with<3>(scheme_name);
   model.transfer = transfer;
   Simulation<3> simulation(std::move(model), std::move(state));
   for (int i = 0; i < 50; ++i) simulation.step();
@@ -142,9 +143,14 @@ std::vector<double> wrung_block(int threads, VelocityTransfer transfer) {
 TEST(Threads, ChangeNoBitInThreeDimensions) {
   for (const VelocityTransfer transfer :
        {VelocityTransfer::flip, VelocityTransfer::apic, VelocityTransfer::tpic, VelocityTransfer::xpic}) {
-    const std::vector<double> alone = wrung_block(1, transfer);
-    EXPECT_TRUE(same_bits(wrung_block(2, transfer), alone)) << static_cast<int>(transfer);
-    EXPECT_TRUE(same_bits(wrung_block(4, transfer), alone)) << static_cast<int>(transfer);
+    const std::vector<double> alone = wrung_block("cpdi", 1, transfer);
+    EXPECT_TRUE(same_bits(wrung_block("cpdi", 2, transfer), alone)) << static_cast<int>(transfer);
+    EXPECT_TRUE(same_bits(wrung_block("cpdi", 4, transfer), alone)) << static_cast<int>(transfer);
+  }
+  for (const std::string scheme_name : {"cpdi2", "ddmp"}) {
+    const std::vector<double> alone = wrung_block(scheme_name, 1);
+    EXPECT_TRUE(same_bits(wrung_block(scheme_name, 2), alone)) << scheme_name;
+    EXPECT_TRUE(same_bits(wrung_block(scheme_name, 4), alone)) << scheme_name;
   }
 }
 

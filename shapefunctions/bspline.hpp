@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/interface/shape_function.hpp"
+
+namespace riedel {
+
+/// B-splines of the grid, one to a node, taken at the point. Where a wall ends the material, what the nodes behind it
+/// would carry is that of a straight line through the last two rows, so that the last row alone tells the motion at the
+/// wall. Steffen, Kirby & Berzins (2008), Int. J. Numer. Meth. Engng 76, 922–948.
+template <int Dim>
+class QuadraticBspline final : public ShapeFunction<Dim> {
+public:
+  static constexpr std::string_view name = "bspline2";
+
+  [[nodiscard]] int max_nodes() const override { return power(3, Dim); }
+  [[nodiscard]] int margin() const override { return 1; }
+  [[nodiscard]] double least_weight() const override { return 1e-60; }
+  void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
+};
+
+template <int Dim>
+class CubicBspline final : public ShapeFunction<Dim> {
+public:
+  static constexpr std::string_view name = "bspline3";
+
+  [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
+  [[nodiscard]] int margin() const override { return 1; }
+  [[nodiscard]] double least_weight() const override { return 1e-60; }
+  void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
+};
+
+} // namespace riedel

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "shapefunctions/domain_keys.hpp"
+
+namespace riedel {
+
+/// Second-order convected particle domain interpolation: as in `Cpdi`, but the domain is a quadrilateral (hexahedron)
+/// whose corners move with the velocity of the grid, each for itself, so that neighbours' domains stay joined. A point
+/// stands at the centroid of its domain. Sadeghirad, Brannon & Guilkey (2013), Int. J. Numer. Meth. Engng 95,
+/// 928–952. Limit as in `Cpdi`.
+template <int Dim>
+class Cpdi2 final : public ShapeFunction<Dim> {
+public:
+  static constexpr std::string_view name = "cpdi2";
+  static const Keys& parameters() { return domain_keys(); }
+
+  explicit Cpdi2(const Values& options) : limit_(options.number("domain_limit")) {}
+
+  [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
+  [[nodiscard]] int margin() const override { return 3; }
+  /// Coordinate a of corner c [m] stands in column c Dim + a.
+  [[nodiscard]] int columns() const override { return power(2, Dim) * Dim; }
+  void start(const Grid<Dim>& grid, Points<Dim>& points) const override;
+  void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
+  void move(const Grid<Dim>& grid, const Nodes<Dim>& nodes, double dt, Points<Dim>& points, Range block) const override;
+  [[nodiscard]] Corners<Dim> corners(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
+
+private:
+  double limit_; ///< distance of a corner from the point at the most, in cells; 0: no limit
+};
+
+} // namespace riedel

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/interface/shape_function.hpp"
+
+namespace riedel {
+
+/// Options of the schemes whose domains deform with their points.
+inline const Keys& domain_keys() {
+  static const Keys keys{{"domain_limit", 0.0, "-", at_least(0),
+                          "cpdi, cpdi2: half diagonals of domains are shortened to so many cells; 0: never"}};
+  return keys;
+}
+
+} // namespace riedel
