@@ -61,19 +61,27 @@ Keys point_keys() {
 
 /// Of the specimen that the mpm driver runs.
 Keys mpm_keys(const Catalogue& catalogue) {
-  Keys keys{{"scheme", "gimp", "", any, "interpolation between points and grid", catalogue.in_2d.schemes.names()},
-            {"specimen.size", 0.01, "m", more_than(0), "edge of the specimen, a square or a cube"},
-            {"specimen.points_per_cell", std::int64_t{2}, "-", between(1, 10),
-             "material points in a cell, per direction; with one a cell's stretching has no inertia"},
-            {"grid.cells", std::int64_t{1}, "-", between(1, 1000), "cells along each edge of the specimen"},
-            {"grid.dimensions",
-             "auto",
-             "-",
-             between(2, 3),
-             "2: plane strain; auto: 3 for the triaxial test, 2 for the others",
-             {"auto"}},
-            {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
-            {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
+  Keys keys{
+      {"scheme", "gimp", "", any, "interpolation between points and grid", catalogue.in_2d.schemes.names()},
+      {"specimen.size", 0.01, "m", more_than(0), "edge of the specimen, a square or a cube"},
+      {"specimen.points_per_cell", std::int64_t{2}, "-", between(1, 10),
+       "material points in a cell, per direction; with one a cell's stretching has no inertia"},
+      {"specimen.interior",
+       "affine",
+       "",
+       any,
+       "nodes between the plates: move in proportion, so that the specimen stays homogeneous, or are free; in the "
+       "shear test always affine",
+       {"affine", "free"}},
+      {"grid.cells", std::int64_t{1}, "-", between(1, 1000), "cells along each edge of the specimen"},
+      {"grid.dimensions",
+       "auto",
+       "-",
+       between(2, 3),
+       "2: plane strain; auto: 3 for the triaxial test, 2 for the others",
+       {"auto"}},
+      {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
+      {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
   append(keys, interpolation_keys(catalogue));
   append(keys, step_keys());
   std::ranges::find(keys, "time.flip", &Key::name)->default_value = standard_flip;

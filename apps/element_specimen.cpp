@@ -15,14 +15,15 @@ struct Frame {
   double edge; ///< of the specimen [m]
   Index cells; ///< along each edge
   Index first; ///< row of nodes at the specimen's lower faces
-  bool shear;
+  bool shear, free_interior;
   Grid<Dim> grid;
 
   Frame(const Values& v, const ShapeFunction<Dim>& scheme)
       : edge(v.number("specimen.size")),
         cells(static_cast<Index>(v.integer("grid.cells"))),
         first(scheme.margin() + 1),
-        shear(v.text("test") == "shear") {
+        shear(v.text("test") == "shear"),
+        free_interior(v.text("specimen.interior") == "free") {
     grid.cell.setConstant(edge / cells);
     grid.origin = -static_cast<double>(first) * grid.cell;
     grid.nodes.fill(cells + 2 * first + 1);
@@ -45,7 +46,7 @@ Motion motion_along(const std::string& test, int axis) {
 }
 
 /// The pair of plates normal to an axis, and the nodes beyond them, which move as if the specimen went on there: a
-/// domain that reaches over the edge then sees the same gradient. The nodes between the plates are free.
+/// domain that reaches over the edge then sees the same gradient. The nodes between the plates go along, or are free.
 template <int Dim>
 NodeCondition<Dim> plates(const Frame<Dim>& frame, int axis, Motion motion,
                           const std::function<double(double)>& drive) {
@@ -54,7 +55,7 @@ NodeCondition<Dim> plates(const Frame<Dim>& frame, int axis, Motion motion,
   if (motion == Motion::held) condition.velocity = [](double) { return 0.0; };
   if (motion == Motion::driven) condition.velocity = drive;
   condition.linear = LinearMotion{.axis = axis, .fixed_row = frame.first, .moving_row = moving};
-  if (frame.cells > 1) {
+  if (frame.free_interior && frame.cells > 1) {
     Counts<Dim> from{}, to = condition.last;
     from[axis] = frame.first + 1;
     to[axis] = moving - 1;

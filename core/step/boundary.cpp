@@ -75,6 +75,11 @@ std::array<Walls, Dim> walls_of(const Grid<Dim>& grid, const std::vector<NodeCon
       across = across && (a == c.axis || (c.first[a] <= 0 && c.last[a] >= grid.nodes[a] - 1));
     if (!across) continue;
     Walls& wall = walls[c.axis];
+    if (c.linear && c.linear->axis == c.axis) {
+      wall.first = std::max(wall.first, c.linear->fixed_row);
+      wall.last = std::min(wall.last, c.linear->moving_row);
+      continue;
+    }
     const bool from_below = c.first[c.axis] <= 0, from_above = c.last[c.axis] >= grid.nodes[c.axis] - 1;
     if (from_below && !from_above) wall.first = std::max(wall.first, c.last[c.axis]);
     if (from_above && !from_below) wall.last = std::min(wall.last, c.first[c.axis]);

@@ -34,7 +34,7 @@ void expect_gentle_motion(const BenchCase& wanted) {
   const double dt = simulation.time_step();
   double middle = 0.0;
   for (Index p = 0; p < points.size(); ++p) middle += points.rate_norm[0][p] * dt / points.size();
-  EXPECT_NEAR(middle, bench_block::strain_per_step, 0.25 * bench_block::strain_per_step); // edges lag behind
+  EXPECT_NEAR(middle, bench_block::strain_per_step, 0.3 * bench_block::strain_per_step); // edges lag behind
   for (int i = 0; i < 40; ++i) simulation.step();
   set_in_motion(simulation);
   for (int i = 0; i < 20; ++i) simulation.step();
