@@ -110,8 +110,8 @@ void set_averager(Body<2>& body, const Values& v, const Catalogue& catalogue) {
 }
 
 /// The columns of points at the two sides carry the lateral pressure.
-SurfacePressure<2> side_pressure(const Specimen& specimen, const Points<2>& points) {
-  SurfacePressure<2> load{.pressure = specimen.pressure, .initial_area = {}};
+SurfaceTraction<2> side_pressure(const Specimen& specimen, const Points<2>& points) {
+  SurfaceTraction<2> load{.value = uniform_pressure<2>(specimen.pressure), .initial_area = {}};
   load.initial_area.assign(static_cast<std::size_t>(points.size()), Vec<2>::Zero());
   for (Index p = 0; p < points.size(); ++p) {
     const double half = points.half_size[0][p], edge = 2.0 * points.half_size[1][p], x = points.position[0][p];
@@ -167,7 +167,7 @@ Simulation<2> make_biaxial(const Values& v, const Catalogue& catalogue) {
   set_averager(body, v, catalogue);
 
   if (specimen.pressure_on_points)
-    model.surface_pressures.push_back(side_pressure(specimen, body.points));
+    model.surface_tractions.push_back(side_pressure(specimen, body.points));
   else
     model.confining_pressure = specimen.pressure;
   set_boundaries(model, state, specimen, v);

@@ -18,6 +18,7 @@ public:
 
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }
+  [[nodiscard]] bool loads_corners() const override { return true; }
   /// Coordinate a of corner c [m] stands in column c Dim + a.
   [[nodiscard]] int columns() const override { return power(2, Dim) * Dim; }
   void start(const Grid<Dim>& grid, Points<Dim>& points) const override;

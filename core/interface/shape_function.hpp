@@ -38,6 +38,10 @@ public:
   /// (x_i − x_p) has an inverse, which APIC needs. Hats at a point have none on a line of nodes.
   [[nodiscard]] virtual bool spreads_points() const { return true; }
 
+  /// Whether hats are interpolated between the corners of a point's domain, so that a load on one of its faces belongs
+  /// to the corners; or else hats are integrated over it as they are.
+  [[nodiscard]] virtual bool loads_corners() const { return false; }
+
   /// Numbers that the scheme keeps for each point from step to step, in `points.of_scheme`: the library makes room for
   /// them and carries them with the points.
   [[nodiscard]] virtual int columns() const { return 0; }

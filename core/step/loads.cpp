@@ -8,60 +8,120 @@ namespace riedel {
 
 namespace {
 
-/// The pressure on one point's outer face.
+/// The outer face of one point: a segment, or a parallelogram.
 template <int Dim>
-struct FaceForce {
-  Vec<Dim> position; ///< middle of the face [m]
-  Vec<Dim> force;    ///< [N or N/m]
+struct Face {
+  Vec<Dim> middle;                     ///< [m]
+  std::array<Vec<Dim>, Dim - 1> edges; ///< [m]
+  Vec<Dim> area;                       ///< outward [m² or m]
 };
 
-/// Calls use(point, face) for each point that carries pressure.
+template <int Dim>
+Face<Dim> outer_face(const Points<Dim>& points, Index p, const Vec<Dim>& initial_area) {
+  Index normal = 0;
+  initial_area.cwiseAbs().maxCoeff(&normal);
+  const Mat<Dim> F = points.deformation_gradient_of(p);
+  const double outward = std::copysign(points.half_size[normal][p], initial_area[normal]);
+  Face<Dim> face{.middle = points.position_of(p) + outward * F.col(normal),
+                 .edges = {},
+                 .area = F.determinant() * F.inverse().transpose() * initial_area}; // Nanson
+  for (int a = 0, e = 0; a < Dim; ++a)
+    if (a != normal) face.edges[e++] = 2.0 * points.half_size[a][p] * F.col(a);
+  return face;
+}
+
+/// Calls use(x, share) for places that integrate hats along an edge exactly: two Gauss points between each two lines of
+/// the grid that it crosses.
 template <int Dim, class Use>
-void for_each_face(const State<Dim>& state, const Model<Dim>& model, const Use& use) {
-  for (const SurfacePressure<Dim>& load : model.surface_pressures) {
+void integrate_along(const Grid<Dim>& grid, const Vec<Dim>& middle, const Vec<Dim>& edge, const Use& use) {
+  constexpr double on_line = 1e-9; // in cells: a piece so short carries nothing
+  double from = -0.5;
+  while (from < 0.5) {
+    double to = 0.5;
+    for (int a = 0; a < Dim; ++a) {
+      const double slope = edge[a] / grid.cell[a], at = (middle[a] - grid.origin[a]) / grid.cell[a] + from * slope;
+      if (slope == 0.0) continue;
+      const double line = slope > 0.0 ? std::floor(at + on_line) + 1.0 : std::ceil(at - on_line) - 1.0;
+      to = std::min(to, from + (line - at) / slope);
+    }
+    const double half = 0.5 * (to - from);
+    for (const double sign : {-1.0, 1.0})
+      use(Vec<Dim>(middle + (from + half * (1.0 + sign / std::numbers::sqrt3)) * edge), half);
+    from = to;
+  }
+}
+
+template <int Dim, class Use>
+void integrate_over(const Grid<Dim>& grid, const Face<Dim>& face, const Use& use) {
+  integrate_along<Dim>(grid, face.middle, face.edges[0], [&](const Vec<Dim>& x, double share) {
+    if constexpr (Dim == 2)
+      use(x, share);
+    else
+      integrate_along<Dim>(grid, x, face.edges[1], [&](const Vec<Dim>& y, double part) { use(y, share * part); });
+  });
+}
+
+/// Calls use(x, share) for the corners of a face.
+template <int Dim, class Use>
+void for_each_corner(const Face<Dim>& face, const Use& use) {
+  for (int c = 0; c < power(2, Dim - 1); ++c) {
+    Vec<Dim> x = face.middle;
+    for (int e = 0; e < Dim - 1; ++e) x += ((c >> e & 1) ? 0.5 : -0.5) * face.edges[e];
+    use(x, 1.0 / power(2, Dim - 1));
+  }
+}
+
+/// Calls use(points, p, place, force) for the pieces of every loaded face.
+template <int Dim, class Use>
+void for_each_force(const State<Dim>& state, const Model<Dim>& model, const Use& use) {
+  for (const SurfaceTraction<Dim>& load : model.surface_tractions) {
     const Points<Dim>& points = state.bodies[load.body].points;
     for (std::size_t id = 0; id < load.initial_area.size(); ++id) {
-      const Vec<Dim>& A = load.initial_area[id];
-      if (A.isZero()) continue;
+      if (load.initial_area[id].isZero()) continue;
       const Index p = points.place[id];
-      const Mat<Dim> F = points.deformation_gradient_of(p);
-      Vec<Dim> half = A.normalized();
-      for (int a = 0; a < Dim; ++a) half[a] *= points.half_size[a][p];
-      const Vec<Dim> area = F.determinant() * F.inverse().transpose() * A; // Nanson
-      use(points, p, FaceForce<Dim>{points.position_of(p) + F * half, -load.pressure * area});
+      const Face<Dim> face = outer_face(points, p, load.initial_area[id]);
+      const double size = face.area.norm();
+      const Vec<Dim> normal = face.area / size;
+      const auto part = [&](const Vec<Dim>& x, double share) {
+        use(points, p, x, Vec<Dim>(share * size * load.value(x, normal, state.time)));
+      };
+      if (model.scheme->loads_corners())
+        for_each_corner(face, part);
+      else
+        integrate_over(state.grid, face, part);
     }
   }
 }
 
-/// Adds a force to the nodes of the cell that holds its place, with multilinear hats whatever the scheme: the place is
-/// on the edge of the material, where hats balance a uniform stress.
 template <int Dim>
-void add_force(State<Dim>& state, const FaceForce<Dim>& face) {
-  const CellPlace<Dim> place(state.grid, face.position);
+void add_force(State<Dim>& state, const Vec<Dim>& x, const Vec<Dim>& force) {
+  const CellPlace<Dim> place(state.grid, x);
   if (!place.inside())
     throw RunError("a loaded face left the grid at step " + std::to_string(state.step) + ", time " +
                    exact_text(state.time) + " s");
-  for (int n = 0; n < power(2, Dim); ++n) state.nodes.sums[place.node(n)].force += place.hat(n) * face.force;
+  for (int n = 0; n < power(2, Dim); ++n) state.nodes.sums[place.node(n)].force += place.hat(n) * force;
 }
 
 } // namespace
 
 template <int Dim>
-void add_surface_pressures(State<Dim>& state, const Model<Dim>& model) {
-  for_each_face(state, model, [&](const Points<Dim>&, Index, const FaceForce<Dim>& face) { add_force(state, face); });
+void add_surface_tractions(State<Dim>& state, const Model<Dim>& model) {
+  for_each_force(state, model, [&](const Points<Dim>&, Index, const Vec<Dim>& x, const Vec<Dim>& force) {
+    add_force(state, x, force);
+  });
 }
 
 template <int Dim>
 double surface_work(const State<Dim>& state, const Model<Dim>& model, double dt) {
   double work = 0.0;
-  for_each_face(state, model, [&](const Points<Dim>& points, Index p, const FaceForce<Dim>& face) {
-    work += dt * face.force.dot(points.velocity_of(p));
+  for_each_force(state, model, [&](const Points<Dim>& points, Index p, const Vec<Dim>&, const Vec<Dim>& force) {
+    work += dt * force.dot(points.velocity_of(p));
   });
   return work;
 }
 
-template void add_surface_pressures<2>(State<2>&, const Model<2>&);
-template void add_surface_pressures<3>(State<3>&, const Model<3>&);
+template void add_surface_tractions<2>(State<2>&, const Model<2>&);
+template void add_surface_tractions<3>(State<3>&, const Model<3>&);
 template double surface_work<2>(const State<2>&, const Model<2>&, double);
 template double surface_work<3>(const State<3>&, const Model<3>&, double);
 

@@ -1,4 +1,4 @@
-/// Forces from outside: pressure on surface points, and the work of loads. Gravity and the virtual stress act in the
+/// Forces from outside: tractions on surface points, and the work of loads. Gravity and the virtual stress act in the
 /// transfer itself.
 #pragma once
 
@@ -6,11 +6,13 @@
 
 namespace riedel {
 
-/// f_i += Σ_p N_i(x_f) f_p with f_p = −pressure J F⁻ᵀ A_p at the outer face x_f of each loaded point.
+/// f_i += Σ_p ∫ N_i t da over the outer face of each loaded point, with da from F by Nanson's formula and multilinear
+/// hats N_i whatever the scheme, as they are or, for a scheme that does so, between the face's corners. Domains that fill
+/// the material up to a straight edge are then in equilibrium with a uniform stress, wherever in a cell the edge lies.
 template <int Dim>
-void add_surface_pressures(State<Dim>& state, const Model<Dim>& model);
+void add_surface_tractions(State<Dim>& state, const Model<Dim>& model);
 
-/// Power of the surface pressures over one step, with the points' velocities [J or J/m].
+/// Power of the surface tractions over one step, with the points' velocities [J or J/m].
 template <int Dim>
 double surface_work(const State<Dim>& state, const Model<Dim>& model, double dt);
 

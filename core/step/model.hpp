@@ -33,13 +33,20 @@ struct MovingGrid {
   std::string platen; ///< the condition that moves it
 };
 
-/// A pressure carried by points on a surface: f_p = −pressure J F⁻ᵀ A_p.
+/// A traction that points on a surface carry: on each outer face, wherever it has come and however it lies now.
 template <int Dim>
-struct SurfacePressure {
-  double pressure = 0.0; ///< [Pa], pressing when positive
+struct SurfaceTraction {
+  /// [Pa], on the present surface, from the place [m], the outward normal and the time [s]
+  std::function<Vec<Dim>(const Vec<Dim>& place, const Vec<Dim>& normal, double time)> value;
   std::size_t body = 0;
-  std::vector<Vec<Dim>> initial_area; ///< outward, by point id; zero off the surface [m² or m]
+  std::vector<Vec<Dim>> initial_area; ///< outward, along an axis, by point id; zero off the surface [m² or m]
 };
+
+/// The same pressure everywhere, pressing when positive [Pa].
+template <int Dim>
+auto uniform_pressure(double pressure) {
+  return [pressure](const Vec<Dim>&, const Vec<Dim>& normal, double) -> Vec<Dim> { return -pressure * normal; };
+}
 
 template <int Dim>
 struct Model {
@@ -50,7 +57,7 @@ struct Model {
   std::vector<MovingGrid> moving_grids; ///< one for an axis at most
   Vec<Dim> gravity = Vec<Dim>::Zero();  ///< [m/s²]
   double confining_pressure = 0.0;      ///< p of the virtual stress −p I that acts outside the bodies [Pa]
-  std::vector<SurfacePressure<Dim>> surface_pressures;
+  std::vector<SurfaceTraction<Dim>> surface_tractions;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
   VelocityTransfer transfer = VelocityTransfer::flip;
   double flip = 0.98;           ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone

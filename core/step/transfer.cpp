@@ -35,7 +35,7 @@ void points_to_grid(State<Dim>& state, const Model<Dim>& model) {
     affine_points_to_grid<Use::both>(state, model);
   else
     sum_from_zero(state, model, [&](Body<Dim>& body) { return add_shares<Use::both>(state, model, body, fill); });
-  add_surface_pressures(state, model);
+  add_surface_tractions(state, model);
 }
 
 template <int Dim>
@@ -56,7 +56,7 @@ void map_forces(State<Dim>& state, const Model<Dim>& model) {
     add_shares<Use::slopes>(state, model, body, [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
       put_forces(points, p, model.confining_pressure, shares);
     });
-  add_surface_pressures(state, model);
+  add_surface_tractions(state, model);
 }
 
 template <int Dim>

@@ -1,4 +1,4 @@
-/// Pressure carried by points on a surface: it follows the deformed surface, whatever the order of the points.
+/// Tractions carried by points on a surface: it follows the deformed surface, whatever the order of the points.
 #include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
 #include "support/problems.hpp"
@@ -26,12 +26,12 @@ struct PressedBlock {
     Points<Dim>& points = state.bodies[0].points;
     for (Index p = 0; p < points.size() / 2; ++p)
       for (int a = 0; a < Dim; ++a) std::swap(points.position[a][p], points.position[a][points.size() - 1 - p]);
-    SurfacePressure<Dim> load{.pressure = pressure, .initial_area = {}};
+    SurfaceTraction<Dim> load{.value = uniform_pressure<Dim>(pressure), .initial_area = {}};
     load.initial_area.assign(static_cast<std::size_t>(points.size()), Vec<Dim>::Zero());
     for (Index p = 0; p < points.size(); ++p)
       if (points.position[0][p] > 1.3) load.initial_area[static_cast<std::size_t>(p)][0] = std::pow(0.25, Dim - 1);
     for (const Vec<Dim>& share : load.initial_area) area += share;
-    model.surface_pressures.push_back(std::move(load));
+    model.surface_tractions.push_back(std::move(load));
     prepare_points(state, model);
     locate_points(state, model);
   }
@@ -42,20 +42,20 @@ struct PressedBlock {
   }
   Vec<Dim> total_force() {
     state.nodes.clear_sums();
-    add_surface_pressures(state, model);
+    add_surface_tractions(state, model);
     Vec<Dim> sum = Vec<Dim>::Zero();
     for (const NodeSums<Dim>& node : state.nodes.sums) sum += node.force;
     return sum;
   }
 };
 
-TEST(SurfacePressure, PushesAgainstTheOutwardSide) {
+TEST(SurfaceTraction, PushesAgainstTheOutwardSide) {
   PressedBlock<2> block;
   ASSERT_NEAR(block.area[0], 1.5, 1e-14);
   EXPECT_LT((block.total_force() - Vec<2>(-pressure * 1.5, 0.0)).norm(), 1e-9 * pressure);
 }
 
-TEST(SurfacePressure, StandsOnARotatedAndStretchedEdgeWithTheEdgesNewLength) {
+TEST(SurfaceTraction, StandsOnARotatedAndStretchedEdgeWithTheEdgesNewLength) {
   PressedBlock<2> block;
   const Mat<2> R = Eigen::Rotation2Dd(0.6).toRotationMatrix();
   block.deform(R *
@@ -64,7 +64,7 @@ TEST(SurfacePressure, StandsOnARotatedAndStretchedEdgeWithTheEdgesNewLength) {
   EXPECT_LT((block.total_force() - expected).norm(), 1e-9 * pressure);
 }
 
-TEST(SurfacePressure, StandsOnTheParallelogramThatAShearedSideBecomes) {
+TEST(SurfaceTraction, StandsOnTheParallelogramThatAShearedSideBecomes) {
   PressedBlock<3> block;
   Mat<3> F;
   F << 1.1, 0.3, -0.2, 0.1, 0.8, 0.25, -0.3, 0.15, 1.3;
@@ -73,7 +73,7 @@ TEST(SurfacePressure, StandsOnTheParallelogramThatAShearedSideBecomes) {
   EXPECT_LT((block.total_force() - expected).norm(), 1e-9 * pressure);
 }
 
-TEST(SurfacePressure, ActsWhereItsPointsAre) {
+TEST(SurfaceTraction, ActsWhereItsPointsAre) {
   PressedBlock<2> block;
   block.total_force();
   for (Index i = 0; i < block.state.nodes.size(); ++i) {
@@ -82,16 +82,46 @@ TEST(SurfacePressure, ActsWhereItsPointsAre) {
   }
 }
 
-TEST(SurfacePressure, AddsToTheForcesThatStandThere) {
+TEST(SurfaceTraction, AddsToTheForcesThatStandThere) {
   PressedBlock<2> block;
   const Vec<2> once = block.total_force();
-  add_surface_pressures(block.state, block.model);
+  add_surface_tractions(block.state, block.model);
   Vec<2> twice = Vec<2>::Zero();
   for (const NodeSums<2>& node : block.state.nodes.sums) twice += node.force;
   EXPECT_LT((twice - 2.0 * once).norm(), 1e-9 * pressure);
 }
 
-TEST(SurfacePressure, DoesTheWorkOfItsForceOnTheMovingSide) {
+/// A side that crosses cell lines anywhere: hats integrated along it exactly, whatever the traction is made of.
+TEST(SurfaceTraction, IsSpreadAsTheHatsLieAlongTheSide) {
+  PressedBlock<2> block;
+  Points<2>& points = block.state.bodies[0].points;
+  for (Index p = 0; p < points.size(); ++p) points.position[1][p] += 0.17; // faces of 0.25 in cells of 0.5
+  block.model.surface_tractions.front().value = [](const Vec<2>&, const Vec<2>&, double) { return Vec<2>(2.0, -3.0); };
+  block.total_force();
+  const Grid<2>& grid = block.state.grid;
+  for (Index i = 0; i < block.state.nodes.size(); ++i) {
+    const Vec<2> x = grid.position(grid.index(i));
+    if (std::abs(x[0] - 1.5) > 1e-9) continue; // the side lies on this column of nodes
+    const auto integral = [&](double y) {      // of the node's hat, up to y
+      const double s = std::clamp((y - x[1]) / 0.5, -1.0, 1.0);
+      return 0.5 * (s < 0.0 ? 0.5 * (1.0 + s) * (1.0 + s) : 1.0 - 0.5 * (1.0 - s) * (1.0 - s));
+    };
+    const double share = integral(0.17 + 1.5) - integral(0.17);
+    EXPECT_NEAR(block.state.nodes.sums[i].force[0], 2.0 * share, 1e-12) << x.transpose();
+    EXPECT_NEAR(block.state.nodes.sums[i].force[1], -3.0 * share, 1e-12) << x.transpose();
+  }
+}
+
+TEST(SurfaceTraction, MayDependOnPlaceNormalAndTime) {
+  PressedBlock<2> block;
+  block.state.time = 3.0;
+  block.model.surface_tractions.front().value = [](const Vec<2>& x, const Vec<2>& normal, double time) -> Vec<2> {
+    return time * (x[1] - 0.5) * normal;
+  };
+  EXPECT_NEAR(block.total_force()[0], 3.0 * 1.5 * (0.75 - 0.5), 1e-12) << "linear along the side: exact";
+}
+
+TEST(SurfaceTraction, DoesTheWorkOfItsForceOnTheMovingSide) {
   PressedBlock<2> block;
   Points<2>& points = block.state.bodies[0].points;
   for (Index p = 0; p < points.size(); ++p) {
