@@ -55,8 +55,10 @@ VerifyRun run_column(const Catalogue& catalogue, const std::string& scheme, Inde
   return {norm.value(), watch.ns()};
 }
 
+/// Schemes that weigh at the point alone do not see the points' new lengths. Hats lose convergence with it; the smooth
+/// ones keep an error of a hundredth.
 ExpectedOrder expected_order(std::string_view scheme) {
-  if (scheme == "linear") return {0.0, "none"};
+  if (scheme == "linear" || scheme == "ddmp" || scheme == "bspline2" || scheme == "bspline3") return {0.0, "none"};
   return {0.5, "1"};
 }
 

@@ -33,9 +33,9 @@ TEST_P(VerifyTest, VibratesABarWithItsFrequencyAndWithoutLoss) {
 }
 
 TEST_P(VerifyTest, ConvergesInASquareWhosePointsStayInTheirCells) {
-  const VerifyStudy square = refined("square", 32);
+  const VerifyStudy square = refined("square", 16);
   EXPECT_GT(square.order(), square.expected().least);
-  EXPECT_LT(square.runs.back().error, 0.02);
+  EXPECT_LT(square.runs.back().error, 0.08);
 }
 
 TEST_P(VerifyTest, ConvergesInASquareWhosePointsCrossCellsIfItsAuthorsSaySo) {
