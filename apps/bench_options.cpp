@@ -1,12 +1,10 @@
 #include "apps/bench_options.hpp"
 
 #include "apps/velocity_transfers.hpp"
-#include "core/io/suggestion.hpp"
 #include "core/io/units.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <sstream>
 
 namespace riedel {
 
@@ -36,32 +34,6 @@ const Options& choices() {
   throw InputError("--" + option + " " + given + ": " + why);
 }
 
-/// The words of a list: "a,b" or the option more than once.
-Texts list(const Arguments& arguments, const std::string& option, const Texts& otherwise) {
-  const auto found = arguments.options.find(option);
-  if (found == arguments.options.end()) return otherwise;
-  Texts words;
-  for (const std::string& given : found->second) {
-    std::istringstream stream(given + ",");
-    for (std::string word; std::getline(stream, word, ',');) {
-      if (word.empty()) refuse(option, given, "an entry of the list is empty");
-      if (std::ranges::find(words, word) == words.end()) words.push_back(word);
-    }
-  }
-  return words;
-}
-
-Texts names(const Arguments& arguments, const std::string& option, const std::string& otherwise, const Texts& known) {
-  Texts given = list(arguments, option, {otherwise});
-  for (const std::string& name : given) {
-    if (std::ranges::find(known, name) != known.end()) continue;
-    std::string all;
-    for (const std::string& each : known) all += (all.empty() ? "" : ", ") + each;
-    refuse(option, name, "unknown" + did_you_mean(name, known) + "; known: " + all);
-  }
-  return given;
-}
-
 /// A number without a unit; 1e5 counts as an integer.
 double number(const std::string& option, const std::string& text, double least, double most, bool whole) {
   double x = 0.0;
@@ -77,7 +49,7 @@ double number(const std::string& option, const std::string& text, double least, 
 std::vector<int> integers(const Arguments& arguments, const std::string& option, const Texts& otherwise, int least,
                           int most) {
   std::vector<int> all;
-  for (const std::string& text : list(arguments, option, otherwise))
+  for (const std::string& text : arguments.list(option, otherwise))
     all.push_back(static_cast<int>(number(option, text, least, most, true)));
   return all;
 }
@@ -129,20 +101,20 @@ Options bench_options() {
 std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& catalogue) {
   const BenchCase otherwise;
   std::vector<double> lengths;
-  for (const std::string& text : list(arguments, "length", {"0"})) lengths.push_back(length(text));
+  for (const std::string& text : arguments.list("length", {"0"})) lengths.push_back(length(text));
   std::vector<BenchCase> all{otherwise};
-  all = vary(all, &BenchCase::material, names(arguments, "material", otherwise.material, catalogue.materials.names()));
+  all = vary(all, &BenchCase::material, arguments.names("material", {otherwise.material}, catalogue.materials.names()));
   all = vary(all, &BenchCase::dimension, integers(arguments, "dimension", {"2"}, 2, 3));
   all = vary(all, &BenchCase::per_cell, integers(arguments, "per-cell", {"2"}, 1, 8));
   all = vary(all, &BenchCase::length, lengths);
-  const Texts averagers = names(arguments, "averager", otherwise.averager, catalogue.in_2d.averagers.names());
-  const Texts searches = names(arguments, "search", otherwise.search, catalogue.in_2d.searches.names());
+  const Texts averagers = arguments.names("averager", {otherwise.averager}, catalogue.in_2d.averagers.names());
+  const Texts searches = arguments.names("search", {otherwise.search}, catalogue.in_2d.searches.names());
   all = vary(vary(all, &BenchCase::averager, averagers), &BenchCase::search, searches);
-  all = vary(all, &BenchCase::order, names(arguments, "order", otherwise.order, step_orders()));
-  all = vary(all, &BenchCase::transfer, names(arguments, "transfer", otherwise.transfer, transfer_names()));
+  all = vary(all, &BenchCase::order, arguments.names("order", {otherwise.order}, step_orders()));
+  all = vary(all, &BenchCase::transfer, arguments.names("transfer", {otherwise.transfer}, transfer_names()));
   all = vary(all, &BenchCase::points, integers(arguments, "points", {"2e3", "1e4", "1e5", "1e6"}, 1, 100'000'000));
-  all = vary(all, &BenchCase::scheme, names(arguments, "scheme", otherwise.scheme, catalogue.in_2d.schemes.names()));
-  all = vary(all, &BenchCase::stencils, names(arguments, "stencils", otherwise.stencils, stencil_memory()));
+  all = vary(all, &BenchCase::scheme, arguments.names("scheme", {otherwise.scheme}, catalogue.in_2d.schemes.names()));
+  all = vary(all, &BenchCase::stencils, arguments.names("stencils", {otherwise.stencils}, stencil_memory()));
   all = vary(all, &BenchCase::threads, integers(arguments, "threads", {"1"}, 1, 1024));
 
   std::erase_if(all, [&](const BenchCase& c) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <charconv>
+#include <sstream>
 #include <thread>
 
 namespace riedel {
@@ -73,6 +74,32 @@ int Arguments::threads() const {
   if (error != std::errc{} || end != given->data() + given->size() || number < 1 || number > most)
     throw InputError("--threads " + *given + ": allowed: an integer in [1, " + std::to_string(most) + "]");
   return number;
+}
+
+Texts Arguments::list(std::string_view option, const Texts& otherwise) const {
+  const auto found = options.find(option);
+  if (found == options.end()) return otherwise;
+  Texts entries;
+  for (const std::string& given : found->second) {
+    std::istringstream stream(given + ",");
+    for (std::string word; std::getline(stream, word, ',');) {
+      if (word.empty()) throw InputError("--" + std::string(option) + " " + given + ": an entry of the list is empty");
+      if (std::ranges::find(entries, word) == entries.end()) entries.push_back(word);
+    }
+  }
+  return entries;
+}
+
+Texts Arguments::names(std::string_view option, const Texts& otherwise, const Texts& known) const {
+  Texts given = list(option, otherwise);
+  for (const std::string& name : given) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    std::string all;
+    for (const std::string& each : known) all += (all.empty() ? "" : ", ") + each;
+    throw InputError("--" + std::string(option) + " " + name + ": unknown" + did_you_mean(name, known) +
+                     "; known: " + all);
+  }
+  return given;
 }
 
 CaseFile Arguments::case_file(std::size_t position) const {

@@ -15,7 +15,12 @@ struct Arguments {
   std::map<std::string, std::vector<std::string>, std::less<>> options; ///< given ones; a switch has no values
 
   [[nodiscard]] bool has(std::string_view option) const { return options.find(option) != options.end(); }
-  [[nodiscard]] std::optional<std::string> text(std::string_view option) const;          ///< the last one given
+  [[nodiscard]] std::optional<std::string> text(std::string_view option) const; ///< the last one given
+  /// The words of a list: "a,b", or the option more than once. @throws InputError for an empty word
+  [[nodiscard]] std::vector<std::string> list(std::string_view option, const std::vector<std::string>& otherwise) const;
+  /// A list of names. @throws InputError for one that is not known
+  [[nodiscard]] std::vector<std::string> names(std::string_view option, const std::vector<std::string>& otherwise,
+                                               const std::vector<std::string>& known) const;
   [[nodiscard]] std::filesystem::path out(const std::filesystem::path& otherwise) const; ///< --out
   [[nodiscard]] bool force() const { return has("force"); }
   /// --threads; as many as the machine has when it is not given. @throws InputError when it is no positive number

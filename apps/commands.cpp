@@ -5,6 +5,7 @@
 #include "apps/catalogue.hpp"
 #include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
+#include "apps/verify/problem.hpp"
 
 namespace riedel {
 
@@ -39,6 +40,27 @@ Options check_options() {
   options.push_back({"schema", "", "print a JSON Schema of the case, for editors"});
   options.push_back({"reference", "", "print the reference of all keys as Markdown"});
   return options;
+}
+
+Options verify_options() {
+  return {{"schemes", "A,B", "default: all"},
+          {"problems", "A,B", "default: all"},
+          {"out", "DIR", "folder for tables, numbers and pictures, written over; default: results/verify"}};
+}
+
+std::string verify_help() {
+  std::string text = "Problems\n";
+  for (const VerifyProblem& problem : verify_problems())
+    text += "  " + problem.name + ": " + problem.title + "; " + problem.known + "\n    " + problem.source + "\n";
+  return text + R"(
+Each runs with cells halved again and again, in two dimensions, with 2 x 2 points in a cell, MUSL and FLIP, on one
+thread. The order is the slope of the line through the logarithms of errors and cells. verify.md holds the tables that
+are printed, verify.csv a line for each run; convergence.png and cost.png show the square whose points cross cells.
+
+Examples
+  riedel verify
+  riedel verify --schemes gimp,cpdi --problems bar,vortex --out results/two
+)";
 }
 
 std::string bench_help() {
@@ -77,6 +99,8 @@ const std::vector<Command>& commands() {
        list},
       {"bench", "[options]", "Nanoseconds per point and step, by phase; what peers reach; what the machine can do.", 0,
        bench_options(), bench, bench_help},
+      {"verify", "[options]", "Problems with known answers under every scheme: errors, orders of convergence, cost.", 0,
+       verify_options(), verify, verify_help},
   };
   return all;
 }

@@ -10,6 +10,7 @@ int element(const Arguments& arguments);
 int list(const Arguments& arguments);
 int check(const Arguments& arguments);
 int bench(const Arguments& arguments);
+int verify(const Arguments& arguments);
 
 const std::vector<Command>& commands();
 

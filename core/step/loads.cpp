@@ -1,6 +1,7 @@
 #include "core/step/loads.hpp"
 
 #include "core/state/cell_place.hpp"
+#include "core/step/scatter.hpp"
 
 #include <Eigen/LU>
 
@@ -102,6 +103,21 @@ void add_force(State<Dim>& state, const Vec<Dim>& x, const Vec<Dim>& force) {
   for (int n = 0; n < power(2, Dim); ++n) state.nodes.sums[place.node(n)].force += place.hat(n) * force;
 }
 
+/// Adds N_ip times the force on each lane to the nodes.
+template <int Dim>
+void add_values(const SlabGroup<Dim>& group, const std::array<Vec<Dim>, pack_size>& forces, Nodes<Dim>& nodes) {
+  const StencilEntries<Dim> stencil = group.stencil;
+  with_shape(stencil.shape, [&](auto shape) {
+    PatchLane<shape, Dim> patch(stencil, group.lanes.begin);
+    for (int n = 0; n < stencil.count; n += patch.entries, patch.to_next_patch()) {
+      PatchLane<shape, Dim> lane = patch;
+      for (Index k = group.lanes.begin; k < group.lanes.end; ++k, lane.to_next_lane())
+        lane.for_each_node(nodes.sums.data(),
+                           [&](int e, NodeSums<Dim>& node) { node.force += lane.value_of(e) * forces[k]; });
+    }
+  });
+}
+
 } // namespace
 
 template <int Dim>
@@ -120,9 +136,39 @@ double surface_work(const State<Dim>& state, const Model<Dim>& model, double dt)
   return work;
 }
 
+template <int Dim>
+void add_body_forces(State<Dim>& state, const Model<Dim>& model) {
+  for (const BodyForce<Dim>& load : model.body_forces) {
+    Body<Dim>& body = state.bodies[load.body];
+    using Forces = std::array<Vec<Dim>, pack_size>;
+    add_in_slab_order<Forces>(state, model, body, [&](const SlabGroup<Dim>& group, Forces& forces) {
+      for (Index k = group.lanes.begin; k < group.lanes.end; ++k) {
+        const Index p = group.first + k;
+        forces[k] = body.points.mass[0][p] * load.per_mass(body.points, p, state.time);
+      }
+      add_values(group, forces, state.nodes);
+    });
+  }
+}
+
+template <int Dim>
+double body_work(const State<Dim>& state, const Model<Dim>& model, double dt) {
+  double work = 0.0;
+  for (const BodyForce<Dim>& load : model.body_forces) {
+    const Points<Dim>& points = state.bodies[load.body].points;
+    for (Index p = 0; p < points.size(); ++p)
+      work += dt * points.mass[0][p] * load.per_mass(points, p, state.time).dot(points.velocity_of(p));
+  }
+  return work;
+}
+
 template void add_surface_tractions<2>(State<2>&, const Model<2>&);
 template void add_surface_tractions<3>(State<3>&, const Model<3>&);
+template void add_body_forces<2>(State<2>&, const Model<2>&);
+template void add_body_forces<3>(State<3>&, const Model<3>&);
 template double surface_work<2>(const State<2>&, const Model<2>&, double);
 template double surface_work<3>(const State<3>&, const Model<3>&, double);
+template double body_work<2>(const State<2>&, const Model<2>&, double);
+template double body_work<3>(const State<3>&, const Model<3>&, double);
 
 } // namespace riedel

@@ -48,6 +48,14 @@ auto uniform_pressure(double pressure) {
   return [pressure](const Vec<Dim>&, const Vec<Dim>& normal, double) -> Vec<Dim> { return -pressure * normal; };
 }
 
+/// A force by place and time on all points of a body, besides gravity.
+template <int Dim>
+struct BodyForce {
+  std::size_t body = 0;
+  /// [N/kg] of point p at the start of a step; called by several threads at once
+  std::function<Vec<Dim>(const Points<Dim>& points, Index p, double time)> per_mass;
+};
+
 template <int Dim>
 struct Model {
   std::shared_ptr<const ShapeFunction<Dim>> scheme;
@@ -58,6 +66,7 @@ struct Model {
   Vec<Dim> gravity = Vec<Dim>::Zero();  ///< [m/s²]
   double confining_pressure = 0.0;      ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfaceTraction<Dim>> surface_tractions;
+  std::vector<BodyForce<Dim>> body_forces;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
   VelocityTransfer transfer = VelocityTransfer::flip;
   double flip = 0.98;           ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone

@@ -57,7 +57,7 @@ void Simulation<Dim>::step() {
   find_rigid_nodes(state_, *model_.scheme);
   model_.step(state_, model_, dt);
   move_scheme_columns(state_, model_, dt);
-  state_.load_work += surface_work(state_, model_, dt);
+  state_.load_work += surface_work(state_, model_, dt) + body_work(state_, model_, dt);
   move_rigid_points(state_, state_.time + dt, dt);
   follow_platens(dt);
   state_.time += dt;

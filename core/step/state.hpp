@@ -70,7 +70,7 @@ struct State {
   std::vector<HeldNodes> held; ///< one per node condition, then one per rigid body
 
   double boundary_work = 0.0; ///< done by driven boundaries since the start [J or J/m]
-  double load_work = 0.0;     ///< done by surface tractions since the start [J or J/m]
+  double load_work = 0.0;     ///< done by surface tractions and body forces since the start [J or J/m]
   double internal_work = 0.0; ///< ∫ σ:D dV dt since the start [J or J/m]
   MaterialReport report;      ///< summed since the start
 

@@ -36,6 +36,7 @@ void points_to_grid(State<Dim>& state, const Model<Dim>& model) {
   else
     sum_from_zero(state, model, [&](Body<Dim>& body) { return add_shares<Use::both>(state, model, body, fill); });
   add_surface_tractions(state, model);
+  add_body_forces(state, model);
 }
 
 template <int Dim>
@@ -57,6 +58,7 @@ void map_forces(State<Dim>& state, const Model<Dim>& model) {
       put_forces(points, p, model.confining_pressure, shares);
     });
   add_surface_tractions(state, model);
+  add_body_forces(state, model);
 }
 
 template <int Dim>

@@ -1,6 +1,9 @@
 /// Tractions carried by points on a surface: it follows the deformed surface, whatever the order of the points.
 #include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
+#include "core/step/transfer.hpp"
+#include "core/step/usf.hpp"
+#include "core/step/usl.hpp"
 #include "support/problems.hpp"
 
 #include <Eigen/Geometry>
@@ -130,6 +133,53 @@ TEST(SurfaceTraction, DoesTheWorkOfItsForceOnTheMovingSide) {
     points.velocity[1][p] = 7.0;                    // along the side
   }
   EXPECT_NEAR(surface_work(block.state, block.model, 0.1), 0.1 * 0.5 * pressure * 1.5, 1e-9 * pressure);
+}
+
+/// A block that falls by a metre, across cells, points sorted anew on the way.
+Simulation<2> fallen_block(StepFunction<2> step, VelocityTransfer transfer, bool by_points) {
+  Model<2> model = model_with<2>("gimp");
+  model.step = step;
+  model.transfer = transfer;
+  model.cfl = 0.1;
+  const Vec<2> g(3.0, -1e4);
+  if (by_points)
+    model.body_forces.push_back({.per_mass = [g](const Points<2>&, Index, double) { return g; }});
+  else
+    model.gravity = g;
+  Simulation<2> simulation(std::move(model), elastic_state<2>({3, 3}, 0.5, 2, 6, [](const Vec<2>&) { return true; }));
+  while (simulation.state().time < 0.014) simulation.step();
+  return simulation;
+}
+
+TEST(BodyForce, ThatIsTheSameEverywhereMovesPointsAndWorksAsGravity) {
+  for (const StepFunction<2> step : {musl_step<2>, usl_step<2>, usf_step<2>})
+    for (const VelocityTransfer transfer : {VelocityTransfer::flip, VelocityTransfer::apic}) {
+      const Simulation<2> by_points = fallen_block(step, transfer, true),
+                          by_nodes = fallen_block(step, transfer, false);
+      const Points<2>&a = by_points.state().bodies[0].points, &b = by_nodes.state().bodies[0].points;
+      ASSERT_LT(b.position_of(0)[1], -0.5) << "the block crosses no cell";
+      for (Index p = 0; p < a.size(); ++p) {
+        EXPECT_LT((a.position_of(p) - b.position_of(p)).norm(), 1e-12);
+        EXPECT_LT((a.velocity_of(p) - b.velocity_of(p)).norm(), 1e-10 * b.velocity_of(p).norm());
+      }
+      const double work = by_nodes.energies().external;
+      EXPECT_NEAR(by_points.energies().external, work, 0.05 * work); // by velocities at the steps' ends
+    }
+}
+
+TEST(BodyForce, ActsOnEachPointByItsPlaceAndTime) {
+  PressedBlock<2> block;
+  block.model.surface_tractions.clear();
+  block.state.time = 2.0;
+  block.model.body_forces.push_back({.per_mass = [](const Points<2>& points, Index p, double time) -> Vec<2> {
+    return time * points.position_of(p);
+  }});
+  const Points<2>& points = block.state.bodies[0].points;
+  Vec<2> expected = Vec<2>::Zero(), sum = expected;
+  for (Index p = 0; p < points.size(); ++p) expected += 2.0 * points.mass[0][p] * points.position_of(p);
+  points_to_grid(block.state, block.model);
+  for (const NodeSums<2>& node : block.state.nodes.sums) sum += node.force;
+  EXPECT_LT((sum - expected).norm(), 1e-12 * expected.norm());
 }
 
 } // namespace

@@ -1,0 +1,73 @@
+/// riedel verify: problems with known answers under every scheme, and the orders of convergence.
+#include "apps/catalogue.hpp"
+#include "apps/commands.hpp"
+#include "apps/interrupt.hpp"
+#include "apps/messages.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/verify/report.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/progress.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <omp.h>
+
+namespace riedel {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names problem_names() {
+  Names names;
+  for (const VerifyProblem& problem : verify_problems()) names.push_back(problem.name);
+  return names;
+}
+
+/// The problem that the pictures show: the square whose points cross cells if it was done, else the first.
+const VerifyProblem& drawn(const std::vector<VerifyStudy>& studies) {
+  for (const VerifyStudy& each : studies)
+    if (each.problem->name == "square_crossing") return *each.problem;
+  return *studies.front().problem;
+}
+
+void warn_of_orders(const std::vector<VerifyStudy>& studies) {
+  for (const VerifyStudy& each : studies)
+    if (each.expected().least > 0.0 && each.order() < each.expected().least)
+      print_warning(each.problem->name + " under " + each.scheme + ": order " + short_text(each.order()) +
+                    ", expected " + each.expected().text);
+}
+
+} // namespace
+
+int verify(const Arguments& arguments) {
+  const Catalogue catalogue = full_catalogue();
+  const Names all_schemes = catalogue.in_2d.schemes.names(), all_problems = problem_names();
+  const Names schemes = arguments.names("schemes", all_schemes, all_schemes);
+  const Names problems = arguments.names("problems", all_problems, all_problems);
+  const std::filesystem::path folder = arguments.out("results/verify");
+  prepare_output_folder(folder, true);
+  omp_set_num_threads(1); // small problems; times are those of one thread
+
+  const Interrupt interrupt;
+  Progress progress("verify");
+  std::vector<VerifyStudy> studies;
+  const double all = static_cast<double>(schemes.size() * problems.size());
+  for (const VerifyProblem& problem : verify_problems()) {
+    if (std::ranges::find(problems, problem.name) == problems.end()) continue;
+    for (const std::string& scheme : schemes) {
+      if (interrupt) return interrupt.exit_code();
+      progress.update(static_cast<double>(studies.size()) / all, problem.name + ", " + scheme);
+      studies.push_back(study(problem, catalogue, scheme));
+    }
+  }
+  const std::string tables = verify_tables(studies);
+  write_atomically(folder / "verify.md", tables);
+  write_atomically(folder / "verify.csv", verify_csv(studies));
+  draw_verify(studies, drawn(studies), folder);
+  std::cout << tables;
+  warn_of_orders(studies);
+  return 0;
+}
+
+} // namespace riedel

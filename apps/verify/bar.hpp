@@ -1,0 +1,9 @@
+#pragma once
+
+#include "apps/verify/problem.hpp"
+
+namespace riedel {
+
+VerifyProblem bar_problem();
+
+} // namespace riedel

@@ -1,0 +1,103 @@
+#include "apps/verify/report.hpp"
+
+#include "apps/bench_table.hpp"
+#include "core/io/plot.hpp"
+
+namespace riedel {
+
+namespace {
+
+std::string text_of(const char* form, double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), form, x);
+  return text.data();
+}
+
+std::string order_text(double order) { return std::isfinite(order) ? text_of("%.2f", order) : "–"; }
+
+Row head_of(const VerifyProblem& problem) {
+  Row head{"scheme"};
+  for (const Index cells : problem.cells) head.push_back(std::to_string(cells) + " cells");
+  head.insert(head.end(), {"order", "expected"});
+  head.insert(head.end(), problem.figures.begin(), problem.figures.end());
+  head.emplace_back("ns");
+  return head;
+}
+
+Row row_of(const VerifyStudy& study) {
+  Row row{study.scheme};
+  for (std::size_t i = 0; i < study.problem->cells.size(); ++i)
+    row.push_back(i < study.runs.size() ? text_of("%.2e", study.runs[i].error) : study.failure.empty() ? "–" : "fails");
+  row.insert(row.end(), {order_text(study.order()), study.expected().text});
+  for (std::size_t i = 0; i < study.problem->figures.size(); ++i)
+    row.push_back(study.runs.empty() ? "–" : text_of("%+.1e", study.runs.back().figures[i]));
+  row.push_back(study.runs.empty() ? "–" : figure(study.runs.back().ns));
+  return row;
+}
+
+/// Commas and quotes as comma-separated files have them.
+std::string quoted(const std::string& text) {
+  std::string answer = "\"";
+  for (const char c : text) answer += c == '"' ? "\"\"" : std::string(1, c);
+  return answer + "\"";
+}
+
+} // namespace
+
+std::string verify_tables(const std::vector<VerifyStudy>& studies) {
+  std::string text;
+  for (auto first = studies.begin(); first != studies.end();) {
+    const VerifyProblem& problem = *first->problem;
+    std::vector<Row> rows;
+    std::string failures;
+    for (; first != studies.end() && first->problem == &problem; ++first) {
+      rows.push_back(row_of(*first));
+      if (!first->failure.empty()) failures += "\n" + first->scheme + ": " + first->failure + "\n";
+    }
+    text += (text.empty() ? "" : "\n") +
+            ("**" + problem.name + "**: " + problem.title + ". Relative L2 error of the ") + problem.known + " (" +
+            problem.source + ").\n\n" + markdown_table(head_of(problem), rows, 1) + failures;
+  }
+  return text;
+}
+
+std::string verify_csv(const std::vector<VerifyStudy>& studies) {
+  std::string text = "problem,scheme,cells,error,order,expected_order,ns_per_point_step,failure\n";
+  for (const VerifyStudy& study : studies) {
+    const auto line = [&](std::size_t i, const std::string& numbers, const std::string& ns, const std::string& end) {
+      text += study.problem->name + "," + study.scheme + "," + std::to_string(study.problem->cells[i]) + "," + numbers +
+              "," + study.expected().text + "," + ns + "," + end + "\n";
+    };
+    for (std::size_t i = 0; i < study.runs.size(); ++i)
+      line(i, exact_text(study.runs[i].error) + "," + text_of("%.4f", study.order()), text_of("%.4g", study.runs[i].ns),
+           "");
+    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", quoted(study.failure));
+  }
+  return text;
+}
+
+void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
+                 const std::filesystem::path& folder) {
+  const std::string y_label = "log₁₀ of the relative L2 error";
+  Plot convergence{.title = problem.title, .x_label = "cells", .y_label = y_label, .series = {}, .log_x = true};
+  Plot cost{.title = problem.title, .x_label = "ns per point and step", .y_label = y_label, .series = {}};
+  for (const VerifyStudy& study : studies) {
+    if (study.problem != &problem) continue;
+    Series errors{.label = study.scheme, .x = {}, .y = {}}, times = errors;
+    for (std::size_t i = 0; i < study.runs.size(); ++i) {
+      errors.x.push_back(study.problem->cells[i]);
+      errors.y.push_back(std::log10(study.runs[i].error));
+      times.x.push_back(study.runs[i].ns);
+    }
+    times.y = errors.y;
+    const std::size_t number = convergence.series.size();
+    errors.style = number % 2 == 0 ? Style::solid : Style::dashed;
+    times.style = errors.style;
+    convergence.series.push_back(std::move(errors));
+    cost.series.push_back(std::move(times));
+  }
+  write_png(folder / "convergence.png", convergence);
+  write_png(folder / "cost.png", cost);
+}
+
+} // namespace riedel

@@ -1,0 +1,20 @@
+/// What `riedel verify` found, as tables, as numbers for other programs, and as pictures.
+#pragma once
+
+#include "apps/verify/study.hpp"
+
+#include <filesystem>
+
+namespace riedel {
+
+/// Studies in the order of the problems, one Markdown table for each problem.
+std::string verify_tables(const std::vector<VerifyStudy>& studies);
+
+/// A line for each run.
+std::string verify_csv(const std::vector<VerifyStudy>& studies);
+
+/// convergence.png: errors against cells, of `problem`. cost.png: the same errors against the time they took.
+void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
+                 const std::filesystem::path& folder);
+
+} // namespace riedel

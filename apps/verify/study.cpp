@@ -1,0 +1,27 @@
+#include "apps/verify/study.hpp"
+
+#include <cmath>
+
+namespace riedel {
+
+double VerifyStudy::order() const {
+  // Cells double from run to run: x = 0, 1, 2, ...
+  const auto n = static_cast<double>(runs.size());
+  if (runs.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    sum += (static_cast<double>(i) - (n - 1) / 2) * -std::log2(runs[i].error);
+  return 12 * sum / (n * (n * n - 1));
+}
+
+VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
+                  Index most_cells) {
+  VerifyStudy answer{.problem = &problem, .scheme = scheme, .runs = {}, .failure = {}};
+  try {
+    for (const Index cells : problem.cells)
+      if (cells <= most_cells) answer.runs.push_back(problem.run(catalogue, scheme, cells));
+  } catch (const RunError& error) { answer.failure = error.what(); }
+  return answer;
+}
+
+} // namespace riedel

@@ -1,0 +1,23 @@
+/// A problem under a scheme, with finer and finer cells.
+#pragma once
+
+#include "apps/verify/problem.hpp"
+
+namespace riedel {
+
+struct VerifyStudy {
+  const VerifyProblem* problem = nullptr;
+  std::string scheme;
+  std::vector<VerifyRun> runs; ///< as the problem's cells, as far as they went
+  std::string failure;         ///< why the next run ended early; empty: none did
+
+  [[nodiscard]] ExpectedOrder expected() const { return problem->expected(scheme); }
+  /// Slope of the straight line through the logarithms of errors and cells; not a number for less than two runs.
+  [[nodiscard]] double order() const;
+};
+
+/// @param most_cells finer ones are left out
+VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
+                  Index most_cells = std::numeric_limits<Index>::max());
+
+} // namespace riedel

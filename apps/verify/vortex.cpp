@@ -1,0 +1,106 @@
+/// Generalized vortex, a manufactured solution (Kamojjala, Brannon, Sadeghirad & Guilkey 2015, Engineering with
+/// Computers 31): a ring 0.75 < R < 1.25 turns about its middle by the angle α = g(t) h(R), h = 1 − 32 (R − 1)²
+/// + 256 (R − 1)⁴, and its sides stay at rest and free of traction. In the basis (e_r, e_θ) of the point's place
+/// b = I + γ (e_r ⊗ e_θ + e_θ ⊗ e_r) + γ² e_θ ⊗ e_θ with γ = R α′, J = 1 and σ = μ (b − I). Balance of momentum leaves
+/// the body force −R α̇² + μ R α′²/ρ along e_r and R α̈ − μ (3 α′ + R α″)/ρ along e_θ.
+#include "apps/verify/vortex.hpp"
+
+#include "apps/verify/block.hpp"
+
+namespace riedel {
+
+namespace {
+
+constexpr double pi = std::numbers::pi, modulus = 1000.0, poisson = 0.3, density = 1000.0, duration = 1.0;
+constexpr double inner = 0.75, outer = 1.25, room = 1.25; ///< room: from the corner of the box to the middle
+constexpr double angle = pi / 12;                         ///< greatest turn
+const double lambda = modulus * poisson / ((1 + poisson) * (1 - 2 * poisson)), mu = modulus / (2 * (1 + poisson));
+
+const Vec<2> middle(room, room);
+
+Vec<2> turned(const Vec<2>& v, double by) {
+  return {std::cos(by) * v[0] - std::sin(by) * v[1], std::sin(by) * v[0] + std::cos(by) * v[1]};
+}
+
+/// h and its derivatives.
+std::array<double, 3> profile(double R) {
+  const double s = R - 1.0;
+  return {1 - 32 * s * s + 256 * s * s * s * s, -64 * s + 1024 * s * s * s, -64 + 3072 * s * s};
+}
+
+Vec<2> displacement(const Vec<2>& X, double t) {
+  const Vec<2> arm = X - middle;
+  return turned(arm, angle * std::sin(pi * t / duration) * profile(arm.norm())[0]) - arm;
+}
+
+Vec<2> velocity_at_start(const Vec<2>& X) {
+  const Vec<2> arm = X - middle;
+  const double rate = angle * pi / duration * profile(arm.norm())[0];
+  return {-rate * arm[1], rate * arm[0]};
+}
+
+Vec<2> body_force(const Vec<2>& X, double t) {
+  const Vec<2> arm = X - middle;
+  const double R = arm.norm(), w = pi / duration, sine = std::sin(w * t);
+  const auto [h, slope, bend] = profile(R);
+  const double rate = angle * w * std::cos(w * t) * h, growth = -angle * w * w * sine * h; // α̇, α̈
+  const double d1 = angle * sine * slope, d2 = angle * sine * bend;                        // α′, α″
+  const Vec<2> e_r = turned(arm / R, angle * sine * h), e_theta(-e_r[1], e_r[0]);
+  return (-R * rate * rate + mu * R * d1 * d1 / density) * e_r +
+         (R * growth - mu * (3 * d1 + R * d2) / density) * e_theta;
+}
+
+bool in_ring(const Vec<2>& X) {
+  const double R = (X - middle).norm();
+  return R > inner && R < outer;
+}
+
+/// @param cells across the ring
+VerifyRun run_vortex(const Catalogue& catalogue, const std::string& scheme, Index cells) {
+  VerifySetup setup =
+      make_setup(catalogue, scheme,
+                 {.cells = {5 * cells, 5 * cells},
+                  .cell = (outer - inner) / cells,
+                  .material = "neo_hookean",
+                  .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", poisson}, {"density", density}},
+                  .holds = in_ring});
+  const double stretch = 1 + angle * 7.8; // of the most sheared points, at the least: bounds their wave speed
+  const Index steps = setup.divide(duration, stretch * std::sqrt((lambda + 2 * mu) / density), 0.2);
+  const std::vector<Vec<2>> X = setup.places();
+  for (Index p = 0; p < setup.points().size(); ++p)
+    for (const int a : {0, 1}) setup.points().velocity[a][p] = velocity_at_start(X[p])[a];
+  setup.model.body_forces.push_back({.per_mass = [&](const Points<2>& points, Index p, double time) {
+    return body_force(start_of(points, p, X), time);
+  }});
+
+  Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
+  Watch watch;
+  ErrorNorm norm;
+  for (Index i = 0; i < steps; ++i) {
+    watch.step(simulation);
+    const double t = simulation.state().time;
+    add_displacements(norm, simulation.state().bodies.front().points, X,
+                      [&](const Vec<2>& start) { return displacement(start, t); });
+  }
+  return {norm.value(), watch.ns()};
+}
+
+ExpectedOrder expected_order(std::string_view scheme) {
+  if (scheme == "linear") return {0.0, "none"};
+  return {1.0, "1 to 2"};
+}
+
+} // namespace
+
+VerifyProblem vortex_problem() {
+  return {.name = "vortex",
+          .title = "generalized vortex, 15° at the most",
+          .known = "displacement there and back",
+          .source = "Kamojjala, Brannon, Sadeghirad & Guilkey (2015)",
+          .cells = {4, 8, 16},
+          .figures = {},
+          .run = run_vortex,
+          .expected = expected_order};
+}
+
+} // namespace riedel
