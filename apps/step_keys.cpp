@@ -41,6 +41,12 @@ Keys step_keys() {
        any,
        "rate of the stress that does not see rotations: with the spin of the velocities, or of R in F = R U",
        {"jaumann", "green_naghdi"}},
+      {"time.locking",
+       "none",
+       "",
+       any,
+       "cure of volumetric locking: none, or F-bar, the mean dilatation of a cell for all its points",
+       {"none", "f_bar"}},
   };
 }
 
@@ -48,6 +54,7 @@ template <int Dim>
 void set_step(Model<Dim>& model, const Values& v) {
   model.step = step_named<Dim>(v.text("time.order"));
   if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
+  if (v.text("time.locking") == "f_bar") model.locking = Locking::f_bar;
   model.transfer = transfer_named(v.text("time.transfer"));
   model.flip = v.number("time.flip");
   model.xpic_order = static_cast<int>(v.integer("time.xpic_order"));

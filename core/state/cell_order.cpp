@@ -20,6 +20,8 @@ Index cell_at(const Grid<Dim>& grid, const Columns& position, Index p) {
   return cell;
 }
 
+} // namespace
+
 template <int Dim>
 void find_cells(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& space) {
   space.cell.resize(static_cast<std::size_t>(points.size()));
@@ -27,8 +29,6 @@ void find_cells(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& spa
     for (Index p = block.begin; p < block.end; ++p) space.cell[p] = cell_at(grid, points.position, p);
   });
 }
-
-} // namespace
 
 template <int Dim>
 void sort_by_cell(const Grid<Dim>& grid, Index rows_per_slab, Points<Dim>& points, Slabs& slabs, SortSpace& space) {
@@ -64,6 +64,8 @@ Index out_of_order(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& 
   return reduce_blocks(points.size(), space.disorder, 0, of_block, std::plus<>());
 }
 
+template void find_cells<2>(const Grid<2>&, const Points<2>&, SortSpace&);
+template void find_cells<3>(const Grid<3>&, const Points<3>&, SortSpace&);
 template void sort_by_cell<2>(const Grid<2>&, Index, Points<2>&, Slabs&, SortSpace&);
 template void sort_by_cell<3>(const Grid<3>&, Index, Points<3>&, Slabs&, SortSpace&);
 template Index out_of_order<2>(const Grid<2>&, const Points<2>&, SortSpace&);

@@ -29,6 +29,10 @@ struct SortSpace {
   std::vector<Index> disorder; ///< per block
 };
 
+/// `space.cell` of points that stand where they are; a cell has the number of its lowest node.
+template <int Dim>
+void find_cells(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& space);
+
 /// Sorts by cell, cells numbered with the first axis fastest; points of one cell keep their order.
 template <int Dim>
 void sort_by_cell(const Grid<Dim>& grid, Index rows_per_slab, Points<Dim>& points, Slabs& slabs, SortSpace& space);

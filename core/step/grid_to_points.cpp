@@ -48,8 +48,9 @@ void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_gathered<Use::slopes>(
-      state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) { deform(sum, body.points, p, dt); });
+  for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+    deform(sum, body.points, p, model.locking, dt);
+  });
 }
 
 template <int Dim>
@@ -59,7 +60,7 @@ void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   const double flip = share_of_flip(model);
   for_each_gathered<Use::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     move(sum, body.points, p, flip, dt);
-    deform(sum, body.points, p, dt);
+    deform(sum, body.points, p, model.locking, dt);
   });
 }
 
@@ -96,7 +97,7 @@ template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
-    deform(sum, body.points, p, dt);
+    deform(sum, body.points, p, model.locking, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
     move(body.points, p, way);

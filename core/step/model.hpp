@@ -21,6 +21,9 @@ enum class ObjectiveRate { jaumann, green_naghdi };
 /// How velocities get from points to the grid and back. In the affine ones, a point gives its nodes a slope as well.
 enum class VelocityTransfer { flip, apic, tpic, xpic };
 
+/// What keeps nearly incompressible material from locking: nothing, or the mean dilatation of a cell.
+enum class Locking { none, f_bar };
+
 constexpr bool is_affine(VelocityTransfer transfer) {
   return transfer == VelocityTransfer::apic || transfer == VelocityTransfer::tpic;
 }
@@ -69,8 +72,9 @@ struct Model {
   std::vector<BodyForce<Dim>> body_forces;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
   VelocityTransfer transfer = VelocityTransfer::flip;
-  double flip = 0.98;           ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone
-  int xpic_order = 2;           ///< m of XPIC(m)
+  double flip = 0.98; ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone
+  int xpic_order = 2; ///< m of XPIC(m)
+  Locking locking = Locking::none;
   double cfl = 0.5;             ///< share of the stable time step taken [-]
   double fixed_time_step = 0.0; ///< [s]; 0: from the law's wave speed
 };

@@ -1,6 +1,7 @@
 #include "core/step/musl.hpp"
 
 #include "core/step/grid_to_points.hpp"
+#include "core/step/locking.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
 #include "core/step/transfers/xpic.hpp"
@@ -11,13 +12,15 @@ template <int Dim>
 void musl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   const double end = state.time + dt;
   points_to_grid(state, model);       // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
+  find_cells(state, model);           // F-bar alone, before the points move
   advance_momentum(state, model, dt); // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, end, dt);         // boundaries, reactions
   filter_velocities(state, model);    // XPIC alone: v_p without what the grid does not see
   remap_velocity(state, model, dt);   // v_p, then v_i = Σ_p N_ip m_p v_p / m_i
   hold_velocities(state, end);
-  deform_and_move(state, model, dt); // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p, x_p
-  update_stress(state, model, dt);   // d*, rotation, law
+  deform_and_move(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p, x_p
+  average_dilatation(state, model, dt); // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
+  update_stress(state, model, dt);      // d*, rotation, law
 }
 
 template void musl_step<2>(State<2>&, const Model<2>&, double);

@@ -4,6 +4,7 @@
 
 #include "core/state/points.hpp"
 #include "core/step/gather.hpp"
+#include "core/step/model.hpp"
 #include "core/step/pack_matrix.hpp"
 
 namespace riedel {
@@ -41,17 +42,12 @@ void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pa
   for (int a = 0; a < Dim; ++a) (Pack::load(points.position[a] + p) + way[a]).store(points.position[a] + p);
 }
 
-/// L_p = Σ_i v_i ⊗ ∇N_ip, F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.
+/// F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.
 template <int Dim>
-void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double dt) {
-  PackMatrix<Dim> L, old, F;
-  const PackMatrix<Dim> gradient = sum.gradient.vectors();
+void strain(const std::type_identity_t<PackMatrix<Dim>>& L, Points<Dim>& points, Index p, double dt) {
+  PackMatrix<Dim> old, F;
   for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) {
-      L[i][j] = gradient[j][i];
-      L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
-      old[i][j] = Pack::load(points.deformation_gradient[i * Dim + j] + p);
-    }
+    for (int j = 0; j < Dim; ++j) old[i][j] = Pack::load(points.deformation_gradient[i * Dim + j] + p);
   Pack squared(0.0), trace(0.0);
   for (int i = 0; i < Dim; ++i) {
     trace += L[i][i];
@@ -68,6 +64,19 @@ void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double dt) {
   const Pack deviatoric = max(squared - trace * trace * Pack(1.0 / 3.0), Pack(0.0)); // ‖dev D‖²
   double* const shear = points.shear_strain[0] + p;
   (Pack::load(shear) + Pack(dt) * sqrt(deviatoric + deviatoric)).store(shear);
+}
+
+/// L_p = Σ_i v_i ⊗ ∇N_ip, and the strains with it, unless the locking cure is to change L_p first.
+template <int Dim>
+void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, Locking locking, double dt) {
+  PackMatrix<Dim> L;
+  const PackMatrix<Dim> gradient = sum.gradient.vectors();
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) {
+      L[i][j] = gradient[j][i];
+      L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
+    }
+  if (locking == Locking::none) strain(L, points, p, dt);
 }
 
 } // namespace riedel

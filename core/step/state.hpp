@@ -59,6 +59,12 @@ struct StressShare {
   double work = 0.0; ///< Σ V σ:D Δt [J or J/m]
 };
 
+/// What the points of a body in one cell add up to.
+struct CellSum {
+  double volume = 0.0;    ///< Σ V_p [m³ or m²]
+  double expansion = 0.0; ///< Σ V_p tr L_p [m³/s or m²/s]
+};
+
 template <int Dim>
 struct State {
   double time = 0.0; ///< [s]
@@ -75,6 +81,7 @@ struct State {
   MaterialReport report;      ///< summed since the start
 
   std::vector<StressShare> shares;            ///< working space
+  std::vector<CellSum> cell_sums;             ///< working space of the locking cure, by cell
   std::vector<AlignedVector<double>> moments; ///< working space of each thread in an affine transfer
   PhaseClock clock;                           ///< for `riedel bench`
 };

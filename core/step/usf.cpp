@@ -2,6 +2,7 @@
 
 #include "core/step/grid_to_points.hpp"
 #include "core/step/locate.hpp"
+#include "core/step/locking.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
 #include "core/step/transfers/xpic.hpp"
@@ -12,8 +13,10 @@ template <int Dim>
 void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   keep_stencils(state, model);         // domains deform on the way, weights must not
   map_mass_and_momentum(state, model); // m_i, (mv)_i, v_i
+  find_cells(state, model);            // F-bar alone
   hold_velocities(state, state.time);
   update_kinematics(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
+  average_dilatation(state, model, dt);   // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
   update_stress(state, model, dt);        // d*, rotation, law
   map_forces(state, model);               // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
   advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt

@@ -138,6 +138,11 @@ TEST(BiaxialCheck, RefusesALengthWithIntergranularStrainWhichTakesNothingAverage
   EXPECT_EQ(errors({"material.intergranular_strain=true", "nonlocal.length=0"}), "no error");
 }
 
+TEST(BiaxialKeys, AnUnknownCureOfLockingListsTheKnownOnes) {
+  EXPECT_THAT(errors({"time.locking=fbar"}),
+              AllOf(HasSubstr("did you mean 'f_bar'?"), HasSubstr("allowed: none, f_bar")));
+}
+
 TEST(BiaxialKeys, AnUnknownTransferListsTheKnownOnes) {
   EXPECT_THAT(errors({"time.transfer=apci"}),
               AllOf(HasSubstr("did you mean 'apic'?"), HasSubstr("allowed: flip, apic, tpic, xpic")));

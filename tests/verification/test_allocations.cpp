@@ -63,6 +63,15 @@ TEST_P(AllocationTest, AreNoneInAStepOfTheLocalModel) {
   }
 }
 
+TEST_P(AllocationTest, AreNoneInAStepWithFBar) {
+  for (const std::string order : {"musl", "usl", "usf"}) {
+    const Values values =
+        coarse_values({"scheme=" + GetParam(), "time.order=" + order, "time.locking=f_bar", "nonlocal.length=0.0"});
+    Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
+    EXPECT_EQ(allocations_in_steps(simulation), 0) << order;
+  }
+}
+
 TEST_P(AllocationTest, AreNoneInAStepOfAnyTransfer) {
   for (const std::string transfer : {"apic", "tpic", "xpic"})
     for (const std::string order : {"musl", "usl", "usf"}) {

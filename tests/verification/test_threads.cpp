@@ -120,9 +120,17 @@ TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
   EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 4, 60)));
 }
 
+TEST(Threads, ChangeNoBitWithFBar) {
+  for (const std::string order : {"musl", "usl", "usf"}) {
+    const Values values = lively({"time.locking=f_bar", "time.order=" + order, "nonlocal.length=0.0"});
+    const std::vector<double> alone = after_steps(values, 1, 100);
+    for (const int threads : {2, 3, 4}) EXPECT_TRUE(same_bits(after_steps(values, threads, 100), alone)) << order;
+  }
+}
+
 /// A tall elastic block, wrung and stretched at the start.
 std::vector<double> wrung_block(const std::string& scheme_name, int threads,
-                                VelocityTransfer transfer = VelocityTransfer::flip) {
+                                VelocityTransfer transfer = VelocityTransfer::flip, Locking locking = Locking::none) {
   omp_set_num_threads(threads);
   State<3> state = elastic_state<3>({3, 3, 24}, 0.1, 1, 5, [](const Vec<3>&) { return true; });
   Points<3>& points = state.bodies[0].points;
@@ -134,6 +142,7 @@ std::vector<double> wrung_block(const std::string& scheme_name, int threads,
   }
   Model<3> model = model_with<3>(scheme_name);
   model.transfer = transfer;
+  model.locking = locking;
   Simulation<3> simulation(std::move(model), std::move(state));
   for (int i = 0; i < 50; ++i) simulation.step();
   EXPECT_GT(simulation.state().bodies[0].slabs.count(), 2) << "nothing to share";
@@ -152,6 +161,8 @@ TEST(Threads, ChangeNoBitInThreeDimensions) {
     EXPECT_TRUE(same_bits(wrung_block(scheme_name, 2), alone)) << scheme_name;
     EXPECT_TRUE(same_bits(wrung_block(scheme_name, 4), alone)) << scheme_name;
   }
+  const std::vector<double> alone = wrung_block("gimp", 1, VelocityTransfer::flip, Locking::f_bar);
+  EXPECT_TRUE(same_bits(wrung_block("gimp", 4, VelocityTransfer::flip, Locking::f_bar), alone)) << "F-bar";
 }
 
 } // namespace
