@@ -1,5 +1,6 @@
 #include "apps/biaxial_keys.hpp"
 #include "apps/interpolation_keys.hpp"
+#include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
     check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
   check_locality(values, found.errors);
+  check_step(values, found.errors);
   check_interpolation(values, catalogue, found.errors);
   check_transfer(values, catalogue, Model<2>().flip, found);
   check_number_of_points(values, found.errors);

@@ -161,6 +161,7 @@ Findings check_element(const Values& v, const Catalogue& catalogue) {
   }
   if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
   if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
+    check_step(v, found.errors);
     check_interpolation(v, catalogue, found.errors);
     check_transfer(v, catalogue, standard_flip, found);
   }

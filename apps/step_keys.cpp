@@ -50,6 +50,14 @@ Keys step_keys() {
   };
 }
 
+void check_step(const Values& values, std::vector<Finding>& errors) {
+  if (values.text("time.locking") == "f_bar" && values.text("time.order") == "usl")
+    errors.push_back(
+        {{"time.locking", "time.order"},
+         "\"f_bar\" does not go with \"usl\", whose wild strains at nodes with little mass it spreads over "
+         "the cell; take time.order = \"musl\" or \"usf\""});
+}
+
 template <int Dim>
 void set_step(Model<Dim>& model, const Values& v) {
   model.step = step_named<Dim>(v.text("time.order"));
