@@ -64,7 +64,7 @@ TEST_P(AllocationTest, AreNoneInAStepOfTheLocalModel) {
 }
 
 TEST_P(AllocationTest, AreNoneInAStepWithFBar) {
-  for (const std::string order : {"musl", "usl", "usf"}) {
+  for (const std::string order : {"musl", "usf"}) {
     const Values values =
         coarse_values({"scheme=" + GetParam(), "time.order=" + order, "time.locking=f_bar", "nonlocal.length=0.0"});
     Simulation<2> simulation = warm(make_biaxial(values, catalogue()));

@@ -121,7 +121,7 @@ TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
 }
 
 TEST(Threads, ChangeNoBitWithFBar) {
-  for (const std::string order : {"musl", "usl", "usf"}) {
+  for (const std::string order : {"musl", "usf"}) {
     const Values values = lively({"time.locking=f_bar", "time.order=" + order, "nonlocal.length=0.0"});
     const std::vector<double> alone = after_steps(values, 1, 100);
     for (const int threads : {2, 3, 4}) EXPECT_TRUE(same_bits(after_steps(values, threads, 100), alone)) << order;
