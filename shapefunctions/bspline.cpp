@@ -1,6 +1,7 @@
 #include "shapefunctions/bspline.hpp"
 
 #include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/wall_ends.hpp"
 
 namespace riedel {
 
@@ -44,28 +45,6 @@ constexpr auto cubic = [](const Pack& s, const Axis& axis) {
        {.value = sixth * tt * t, .slope = half * tt * axis.per_h}}};
   return end_at_walls(N, axis);
 };
-
-/// Places along one axis; a point on a wall is drawn an unnoticeable bit to this side of it, and one behind it is
-/// nowhere.
-template <int Dim>
-Pack before_walls(const Grid<Dim>& grid, int axis, const Pack& x) {
-  constexpr double on_wall = 1e-11, slack_in_cells = 1e-6;
-  const Walls& walls = grid.walls[axis];
-  const double h = grid.cell[axis], slack = slack_in_cells * h;
-  Pack place = x;
-  Mask between = x <= x; // false for NaN
-  if (walls.first != Walls::none_below) {
-    const double wall = grid.origin[axis] + walls.first * h;
-    between = between && x >= Pack(wall - slack);
-    place = max(place, Pack(wall + on_wall * h));
-  }
-  if (walls.last != Walls::none_above) {
-    const double wall = grid.origin[axis] + walls.last * h;
-    between = between && x <= Pack(wall + slack);
-    place = min(place, Pack(wall - on_wall * h));
-  }
-  return select(between, place, Pack(std::nan("")));
-}
 
 /// @param support half of the functions' support, in cells
 template <int Nodes, int Dim, class Function>

@@ -6,6 +6,7 @@
 #include "shapefunctions/ddmp.hpp"
 #include "shapefunctions/gimp.hpp"
 #include "shapefunctions/linear.hpp"
+#include "shapefunctions/lme.hpp"
 
 namespace riedel {
 
@@ -40,6 +41,7 @@ void register_shape_functions(ShapeFunctions<Dim>& schemes) {
   add<QuadraticBspline<Dim>>(schemes, "quadratic B-splines at the point, modified at walls",
                              "Steffen, Kirby & Berzins (2008)");
   add<CubicBspline<Dim>>(schemes, "cubic B-splines at the point, modified at walls", "Steffen, Kirby & Berzins (2008)");
+  add<Lme<Dim>>(schemes, "local maximum entropy: the least biased weights near the point", "Arroyo & Ortiz (2006)");
 }
 
 template void register_shape_functions<2>(ShapeFunctions<2>&);

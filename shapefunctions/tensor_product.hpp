@@ -2,15 +2,9 @@
 #pragma once
 
 #include "core/interface/shape_function.hpp"
+#include "shapefunctions/product_stencil.hpp"
 
 namespace riedel {
-
-/// A function's value and its derivative with respect to the distance from the node.
-template <class Real>
-struct ValueSlope {
-  Real value; ///< [-]
-  Real slope; ///< [1/m]
-};
 
 /// Eight points along one axis: coordinate and half width of the domain [m].
 struct AxisLanes {
@@ -31,50 +25,6 @@ std::array<ValueSlope<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis
   std::array<ValueSlope<Pack>, Nodes> factor;
   for (int i = 0; i < Nodes; ++i) factor[i] = function((s - Pack(static_cast<double>(i))) * axis.h, axis);
   return factor;
-}
-
-/// Numbers of the product's nodes, the first axis fastest: two or three rows to a patch, in space with two nodes four.
-/// @param base of the first node in each lane
-template <int Nodes, int Dim>
-void set_nodes(const Counts<Dim>& strides, const std::array<Index, pack_size>& base, StencilGroup<Dim>& group) {
-  constexpr int all = power(Nodes, Dim - 1), rows = Nodes == 3 ? 3 : Nodes == 2 ? all : 2;
-  const auto offset = [&](int row) {
-    return row % Nodes * strides[1] + (Dim == 3 ? row / Nodes * strides[Dim - 1] : 0);
-  };
-  group.count = power(Nodes, Dim);
-  group.shape = {rows, Nodes};
-  for (int r = 0; r < rows; ++r) group.row[r] = offset(r);
-  for (int n = 0; n < all / rows; ++n) {
-    std::array<Index, pack_size> lane;
-    for (int k = 0; k < pack_size; ++k) lane[k] = base[k] + offset(n * rows);
-    group.set_base(n, lane);
-  }
-}
-
-/// Weights of the product's nodes, the first axis fastest.
-template <int Nodes>
-void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 2>& factor, StencilEntries<2> entries) {
-  const auto& [x, y] = factor;
-  for (int j = 0, entry = 0; j < Nodes; ++j)
-    for (int i = 0; i < Nodes; ++i, ++entry) {
-      entries.set_value(entry, x[i].value * y[j].value);
-      entries.set_slope(entry, 0, x[i].slope * y[j].value);
-      entries.set_slope(entry, 1, x[i].value * y[j].slope);
-    }
-}
-template <int Nodes>
-void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 3>& factor, StencilEntries<3> entries) {
-  const auto& [x, y, z] = factor;
-  for (int k = 0, entry = 0; k < Nodes; ++k)
-    for (int j = 0; j < Nodes; ++j) {
-      const Pack yz = y[j].value * z[k].value, dyz = y[j].slope * z[k].value, ydz = y[j].value * z[k].slope;
-      for (int i = 0; i < Nodes; ++i, ++entry) {
-        entries.set_value(entry, x[i].value * yz);
-        entries.set_slope(entry, 0, x[i].slope * yz);
-        entries.set_slope(entry, 1, x[i].value * dyz);
-        entries.set_slope(entry, 2, x[i].value * ydz);
-      }
-    }
 }
 
 /// Fills one group of eight points. The nodes taken along an axis are the first `Nodes` that lie less than h + l from
