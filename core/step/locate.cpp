@@ -1,5 +1,7 @@
 #include "core/step/locate.hpp"
 
+#include <optional>
+
 namespace riedel {
 
 namespace {
@@ -7,21 +9,34 @@ namespace {
 constexpr std::int64_t steps_between_looks = 100; // points cross a small part of a cell in that time
 constexpr Index one_in = 20;                      // points out of order that are put up with
 
+/// The first point whose support leaves the grid, if there is one.
 template <int Dim>
-void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
+std::optional<Index> first_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
   const Points<Dim>& points = body.points;
   for (Index b = 0; b < points.size(); b += stencil_block) {
     const Range block{b, std::min(b + stencil_block, points.size())};
     const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, points, block, state.clock);
-    for (Index p = b; p < block.end; ++p) {
-      if (!stencils.group_of(p).lost[p % pack_size]) continue;
-      std::string where;
-      for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(points.position[a][p]);
-      const char* const otherwise = model.scheme->columns() > 0 ? ", or its domain has turned inside out" : "";
-      throw RunError("point " + std::to_string(points.id[p]) + " of '" + body.name + "' left the grid at (" + where +
-                     ") m, step " + std::to_string(state.step) + ", time " + exact_text(state.time) + " s" + otherwise);
-    }
+    for (Index p = b; p < block.end; ++p)
+      if (stencils.group_of(p).lost[p % pack_size]) return p;
   }
+  return std::nullopt;
+}
+
+template <int Dim>
+std::string coordinates(const Vec<Dim>& x) {
+  std::string text;
+  for (int a = 0; a < Dim; ++a) text += (a ? ", " : "(") + exact_text(x[a]);
+  return text + ") m";
+}
+
+template <int Dim>
+void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
+  const std::optional<Index> p = first_lost(state, model, body);
+  if (!p) return;
+  const char* const otherwise = model.scheme->columns() > 0 ? ", or its domain has turned inside out" : "";
+  throw RunError("point " + std::to_string(body.points.id[static_cast<std::size_t>(*p)]) + " of '" + body.name +
+                 "' left the grid at " + coordinates(body.points.position_of(*p)) + ", step " +
+                 std::to_string(state.step) + ", time " + exact_text(state.time) + " s" + otherwise);
 }
 
 template <int Dim>
@@ -67,6 +82,21 @@ void locate_points(State<Dim>& state, const Model<Dim>& model) {
 }
 
 template <int Dim>
+void check_inside(State<Dim>& state, const Model<Dim>& model) {
+  Counts<Dim> last = state.grid.nodes;
+  for (Index& n : last) --n;
+  for (Body<Dim>& body : state.bodies)
+    if (const std::optional<Index> p = first_lost(state, model, body))
+      throw InputError("body '" + body.name + "': point " +
+                       std::to_string(body.points.id[static_cast<std::size_t>(*p)]) + " at " +
+                       coordinates(body.points.position_of(*p)) +
+                       ", or the support that its scheme gives it, lies outside the grid, which reaches from " +
+                       coordinates(state.grid.position({})) + " to " + coordinates(state.grid.position(last)) +
+                       "; allowed: places with " + std::to_string(model.scheme->margin()) +
+                       " rows of nodes beyond those of their cell");
+}
+
+template <int Dim>
 void keep_stencils(State<Dim>& state, const Model<Dim>& model) {
   for (Body<Dim>& body : state.bodies) {
     if (body.stencils.keeps()) continue;
@@ -88,6 +118,8 @@ template void prepare_points<2>(State<2>&, const Model<2>&);
 template void prepare_points<3>(State<3>&, const Model<3>&);
 template void locate_points<2>(State<2>&, const Model<2>&);
 template void locate_points<3>(State<3>&, const Model<3>&);
+template void check_inside<2>(State<2>&, const Model<2>&);
+template void check_inside<3>(State<3>&, const Model<3>&);
 template void keep_stencils<2>(State<2>&, const Model<2>&);
 template void keep_stencils<3>(State<3>&, const Model<3>&);
 template void sort_strays<2>(State<2>&, const Model<2>&, bool);

@@ -13,6 +13,11 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model);
 template <int Dim>
 void locate_points(State<Dim>& state, const Model<Dim>& model);
 
+/// Before the first step, with the points located: throws InputError naming the first point whose support leaves the
+/// grid.
+template <int Dim>
+void check_inside(State<Dim>& state, const Model<Dim>& model);
+
 /// From now on the stencils of all points are kept from the start of a step to its end.
 template <int Dim>
 void keep_stencils(State<Dim>& state, const Model<Dim>& model);

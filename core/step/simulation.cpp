@@ -45,6 +45,7 @@ Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::mo
   prepare_points(state_, model_);
   bind_conditions(state_, model_.conditions);
   locate_points(state_, model_);
+  check_inside(state_, model_);
   survey_bodies();
   potential_at_start_ = potential_of_loads();
 }

@@ -15,7 +15,8 @@ struct Energies {
 template <int Dim>
 class Simulation {
 public:
-  /// Binds conditions to nodes, sorts the points, and finds the first time step. Throws InputError or RunError.
+  /// Binds conditions to nodes, sorts the points, and finds the first time step. Throws InputError, also for points
+  /// outside the grid, or RunError.
   Simulation(Model<Dim> model, State<Dim> state);
 
   /// One step. Throws RunError; the state is then that of the failure, good for a report only.

@@ -1,7 +1,7 @@
 /// What a simulation refuses before its first step.
 #include "support/problems.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace riedel::test {
 namespace {
@@ -12,6 +12,25 @@ TEST(Simulation, RefusesPointsWithoutTheStateThatTheirLawDeclares) {
   state.bodies.front().material = material("gudehus_bauer");
   EXPECT_THROW(Simulation<2>(model_with<2>("gimp"), std::move(state)), InputError);
 }
+
+class StartOutsideTheGrid : public testing::TestWithParam<std::string> {};
+
+TEST_P(StartOutsideTheGrid, IsRefusedWithThePointAndTheGrid) {
+  const auto body_at = [](double x) {
+    State<2> state = elastic_state<2>({4, 4}, 0.01, 1, 4, [](const Vec<2>&) { return true; });
+    state.bodies.front().points.position[0][7] = x;
+    return Simulation<2>(model_with<2>(GetParam()), std::move(state));
+  };
+  EXPECT_NO_THROW(body_at(0.05));
+  for (const double x : {0.5, -0.041, 0.081})
+    EXPECT_THAT([&] { body_at(x); },
+                testing::ThrowsMessage<InputError>(testing::AllOf(
+                    testing::StartsWith("body 'body': point 7 at (" + exact_text(x) + ", 0.015) m"),
+                    testing::HasSubstr("outside the grid, which reaches from (-0.04, -0.04) m to (0.08, 0.08) m"))));
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryScheme, StartOutsideTheGrid, testing::ValuesIn(scheme_names()),
+                         [](const auto& tested) { return tested.param; });
 
 } // namespace
 } // namespace riedel::test
