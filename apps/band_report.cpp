@@ -1,13 +1,12 @@
 #include "apps/band_report.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 namespace riedel {
 
 ShearBand measure_band(const Frame& frame, const Values& values) {
-  if (std::ranges::none_of(frame.fields, [](const Field& f) { return f.name == "void_ratio"; })) return {};
+  if (!frame.has("void_ratio")) return {};
   const std::size_t count = frame.points();
   const auto& e = frame.field("void_ratio").values;
   const auto& J = frame.field("volume_ratio").values;

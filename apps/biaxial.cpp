@@ -25,7 +25,8 @@ constexpr double quasi_static_limit = 0.05; ///< greatest kinetic over internal 
 /// Watches a fixed time step: warns once when it exceeds the stable one, and remembers by how much at most.
 class TimeStepWatch {
 public:
-  void look(const Simulation<2>& simulation) {
+  template <int Dim>
+  void look(const Simulation<Dim>& simulation) {
     const double limit = simulation.crossing_time(), share = simulation.time_step() / limit;
     if (share > 1.0 && most_ <= 1.0)
       print_warning("time.step = " + short_text(simulation.time_step()) + " s is over the stable limit, " +
@@ -43,8 +44,9 @@ void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json s
   write_atomically(folder / "summary.json", summary.dump(2) + "\n");
 }
 
-nlohmann::ordered_json summary_of(const BiaxialRun& run, const Values& values, const std::string& status, double wall,
-                                  int threads, double step_over_limit) {
+template <int Dim>
+nlohmann::ordered_json summary_of(const BiaxialRun<Dim>& run, const Values& values, const std::string& status,
+                                  double wall, int threads, double step_over_limit) {
   const nlohmann::ordered_json known = run.summary();
   const double point_steps = known["points"].get<double>() * std::max(1.0, known["steps"].get<double>());
   nlohmann::ordered_json all{{"case", "biaxial"}, {"version", version()}, {"status", status}};
@@ -54,7 +56,7 @@ nlohmann::ordered_json summary_of(const BiaxialRun& run, const Values& values, c
   all["threads"] = threads;
   all["time_step_over_limit_max"] = step_over_limit;
   all["quasi_static"] = run.kinetic_over_internal() <= quasi_static_limit && step_over_limit <= 1.0;
-  all["band"] = band_json(measure_band(run.frame(), values));
+  all["band"] = band_json(measure_band(run.section(), values));
   return all;
 }
 
@@ -87,7 +89,8 @@ void write_failure(const std::filesystem::path& folder, const RunError& failure)
 }
 
 /// @return the greatest time step over the stable limit
-double advance(BiaxialRun& run, const Values& values, const Interrupt& interrupt) {
+template <int Dim>
+double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt) {
   Progress progress("biaxial");
   TimeStepWatch watch;
   watch.look(run.simulation());
@@ -104,7 +107,8 @@ double advance(BiaxialRun& run, const Values& values, const Interrupt& interrupt
 }
 
 /// What a reader of the numbers must know before believing them.
-void warn_of_doubts(const BiaxialRun& run, double step_over_limit) {
+template <int Dim>
+void warn_of_doubts(const BiaxialRun<Dim>& run, double step_over_limit) {
   if (step_over_limit > 1.0)
     print_warning("the time step was " + short_text(step_over_limit) +
                   " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
@@ -114,10 +118,11 @@ void warn_of_doubts(const BiaxialRun& run, double step_over_limit) {
 }
 
 /// Runs the case and leaves everything in `folder`. @return the exit code
+template <int Dim>
 int run_case(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder, int threads) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
-  BiaxialRun run(values, catalogue, folder);
+  BiaxialRun<Dim> run(values, catalogue, folder);
   const double step_over_limit = advance(run, values, interrupt);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
@@ -125,7 +130,7 @@ int run_case(const Values& values, const Catalogue& catalogue, const std::filesy
       summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads, step_over_limit);
   write_summary(folder, result);
   std::vector<std::string> pictures;
-  if (values.flag("output.plots")) pictures = draw_biaxial(run, values, folder);
+  if (values.flag("output.plots")) pictures = draw_biaxial(run.rows(), run.section(), values, folder);
   print_result(result, folder, pictures);
   warn_of_doubts(run, step_over_limit);
   return interrupt ? interrupt.exit_code() : 0;
@@ -143,7 +148,8 @@ int biaxial(const Arguments& arguments) {
   omp_set_num_threads(threads);
   try {
     write_atomically(folder / "case.toml", case_text(given.keys, given.values));
-    return run_case(given.values, catalogue, folder, threads);
+    return (dimensions_of_biaxial(given.values) == 3 ? run_case<3> : run_case<2>)(given.values, catalogue, folder,
+                                                                                  threads);
   } catch (const RunError& failure) {
     write_failure(folder, failure);
     throw;

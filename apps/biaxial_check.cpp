@@ -1,5 +1,7 @@
 #include "apps/biaxial_keys.hpp"
 #include "apps/interpolation_keys.hpp"
+#include "apps/offered.hpp"
+#include "apps/specimen_geometry.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
 
@@ -27,11 +29,20 @@ void check_imperfection(const Values& v, std::vector<Finding>& errors) {
 void check_number_of_points(const Values& v, std::vector<Finding>& errors) {
   const auto& cells = v.integers("grid.cells");
   const double per_direction = static_cast<double>(v.integer("specimen.points_per_cell"));
-  const double points = static_cast<double>(cells[0]) * static_cast<double>(cells[1]) * per_direction * per_direction;
+  double points = static_cast<double>(cells[0]) * static_cast<double>(cells[1]) * per_direction * per_direction;
+  if (dimensions_of_biaxial(v) == 3) points *= v.number("specimen.depth_cells") * per_direction;
   const double most = std::numeric_limits<Index>::max();
   if (points > most)
-    errors.push_back({{"grid.cells", "specimen.points_per_cell"},
+    errors.push_back({{"grid.cells", "specimen.points_per_cell", "specimen.depth_cells"},
                       exact_text(points) + " points are too many; allowed: at most " + exact_text(most)});
+}
+
+void check_depth(const Values& v, std::vector<Finding>& errors) {
+  const std::int64_t depth = v.integer("specimen.depth_cells");
+  if (dimensions_of_biaxial(v) == 2 && depth != 1)
+    errors.push_back({{"specimen.depth_cells", "grid.dimensions"},
+                      std::to_string(depth) + " means nothing in two dimensions; leave it out, or take "
+                                              "grid.dimensions = 3"});
 }
 
 /// A sum over points h apart acts like the integral only while h is not much above l_c.
@@ -71,6 +82,8 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   check_step(values, found.errors);
   check_interpolation(values, catalogue, found.errors);
   check_transfer(values, catalogue, Model<2>().flip, found);
+  check_depth(values, found.errors);
+  check_offered(values, catalogue, dimensions_of_biaxial(values), found.errors);
   check_number_of_points(values, found.errors);
   check_spacing(values, found.warnings);
   return found;

@@ -15,20 +15,22 @@ std::string with_digits(double x, int digits) {
   return text.data();
 }
 
-/// "gimp, l_c = 1.5 mm, 24×84"
+/// "gimp, l_c = 1.5 mm, 24×84 cells", in three dimensions "24×84×1 cells"
 std::string title_of(const Values& v) {
   const double length = v.number("nonlocal.length");
   const auto& cells = v.integers("grid.cells");
+  const std::string depth =
+      dimensions_of_biaxial(v) == 3 ? "×" + std::to_string(v.integer("specimen.depth_cells")) : "";
   return v.text("scheme") + ", " + (length > 0 ? "l_c = " + with_digits(1e3 * length, 2) + " mm" : "local") + ", " +
-         std::to_string(cells[0]) + "×" + std::to_string(cells[1]) + " cells";
+         std::to_string(cells[0]) + "×" + std::to_string(cells[1]) + depth + " cells";
 }
 
-Plot history_plot(const BiaxialRun& run, const Values& values) {
+Plot history_plot(const std::vector<BiaxialRow>& rows, const Values& values) {
   Plot plot{.title = "Plane strain compression: " + title_of(values),
             .x_label = "u/h₀ [%]",
             .y_label = "mobilised friction angle φ [°]",
             .series = {{.label = "", .x = {}, .y = {}}}};
-  for (const BiaxialRow& row : run.rows()) {
+  for (const BiaxialRow& row : rows) {
     plot.series[0].x.push_back(100.0 * row.u_over_h);
     plot.series[0].y.push_back(row.angle);
   }
@@ -37,23 +39,22 @@ Plot history_plot(const BiaxialRun& run, const Values& values) {
 
 } // namespace
 
-std::vector<std::string> draw_biaxial(const BiaxialRun& run, const Values& values,
+std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const Frame& section, const Values& values,
                                       const std::filesystem::path& folder) {
-  const Plot plot = history_plot(run, values);
+  const Plot plot = history_plot(rows, values);
   write_png(folder / "history.png", plot);
   write_svg(folder / "history.svg", plot);
 
-  const Frame frame = run.frame();
   PictureOptions options{.field = "shear_strain",
                          .title = title_of(values),
-                         .subtitle = "u/h₀ = " + with_digits(100.0 * run.u_over_h(), 2) + " %",
+                         .subtitle = "u/h₀ = " + with_digits(100.0 * section.u_over_h, 2) + " %",
                          .label = "shear strain γ [-]"};
-  write_field_picture(folder / "shear_strain.png", frame, options);
+  write_field_picture(folder / "shear_strain.png", section, options);
   std::vector<std::string> names{"history.png", "history.svg", "shear_strain.png"};
-  if (state_column(run.simulation().state().bodies.front().material->states(), "void_ratio") < 0) return names;
+  if (!section.has("void_ratio")) return names;
   options.field = "void_ratio";
   options.label = "void ratio e [-]";
-  write_field_picture(folder / "void_ratio.png", frame, options);
+  write_field_picture(folder / "void_ratio.png", section, options);
   names.push_back("void_ratio.png");
   return names;
 }

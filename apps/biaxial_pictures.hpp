@@ -5,7 +5,9 @@
 
 namespace riedel {
 
-/// Writes history.png and .svg, void_ratio.png and shear_strain.png; returns their names.
-std::vector<std::string> draw_biaxial(const BiaxialRun& run, const Values& values, const std::filesystem::path& folder);
+/// Writes history.png and .svg, shear_strain.png and, for a law that knows it, void_ratio.png; returns their names.
+/// @param section the specimen at the end, in the plane
+std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const Frame& section, const Values& values,
+                                      const std::filesystem::path& folder);
 
 } // namespace riedel

@@ -1,5 +1,6 @@
 #include "apps/biaxial_run.hpp"
 
+#include "apps/section.hpp"
 #include "core/io/snapshot.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,9 +16,11 @@ const std::vector<std::string> columns{"step",          "time_s",          "u_ov
 constexpr double settled = 0.005; ///< u/h0 before which the internal energy is too small to compare with
 } // namespace
 
-BiaxialRun::BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder)
+template <int Dim>
+BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder)
     : values_(values),
-      simulation_(make_biaxial(values, catalogue)),
+      depth_(specimen_depth(values)),
+      simulation_(make_biaxial<Dim>(values, catalogue)),
       speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
       history_(folder / "history.csv", columns) {
   if (values.flag("output.vtk")) series_.emplace(folder);
@@ -25,7 +28,8 @@ BiaxialRun::BiaxialRun(const Values& values, const Catalogue& catalogue, const s
   add_frame();
 }
 
-void BiaxialRun::advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row) {
+template <int Dim>
+void BiaxialRun<Dim>::advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row) {
   const double final_strain = values_.number("loading.final_strain");
   while (u_over_h() < final_strain && !stop()) {
     simulation_.step();
@@ -41,18 +45,21 @@ void BiaxialRun::advance(const std::function<bool()>& stop, const std::function<
   }
 }
 
-void BiaxialRun::finish() {
+template <int Dim>
+void BiaxialRun<Dim>::finish() {
   if (rows_.back().step != simulation_.state().step) add_row();
   if (last_frame_step_ != simulation_.state().step) add_frame();
 }
 
-void BiaxialRun::add_row() {
-  const State<2>& state = simulation_.state();
+template <int Dim>
+void BiaxialRun<Dim>::add_row() {
+  const State<Dim>& state = simulation_.state();
   const double at_rest = values_.number("loading.confining_pressure") * values_.number("specimen.width");
   BiaxialRow row{.step = state.step, .time = state.time, .u_over_h = u_over_h()};
   row.force = force_time_ > 0.0 ? force_sum_ / force_time_ : at_rest;
   row.angle = mobilised_angle(row.force, values_);
-  row.energies = simulation_.energies();
+  const Energies energies = simulation_.energies();
+  row.energies = {energies.kinetic / depth_, energies.internal / depth_, energies.external / depth_};
   row.time_step = simulation_.time_step();
   row.report = state.report;
   row.out_of_bounds = simulation_.out_of_bounds();
@@ -65,31 +72,44 @@ void BiaxialRun::add_row() {
   next_row_ += values_.number("output.every_strain");
 }
 
-void BiaxialRun::add_frame() {
+template <int Dim>
+void BiaxialRun<Dim>::add_frame() {
   if (series_) series_->write(frame());
   last_frame_step_ = simulation_.state().step;
   next_frame_ += values_.number("output.frames_every_strain");
 }
 
-Frame BiaxialRun::frame() const { return snapshot(simulation_, u_over_h()); }
+template <int Dim>
+Frame BiaxialRun<Dim>::frame() const {
+  return snapshot(simulation_, u_over_h());
+}
 
-double BiaxialRun::kinetic_over_internal() const {
+template <int Dim>
+Frame BiaxialRun<Dim>::section() const {
+  if constexpr (Dim == 2) return frame();
+  return mean_over_depth(frame(), values_.integer("specimen.depth_cells") * values_.integer("specimen.points_per_cell"),
+                         depth_);
+}
+
+template <int Dim>
+double BiaxialRun<Dim>::kinetic_over_internal() const {
   double most = 0.0;
   for (const BiaxialRow& row : rows_)
     if (row.u_over_h >= settled) most = std::max(most, row.energies.kinetic / std::abs(row.energies.internal));
   return most;
 }
 
-nlohmann::ordered_json BiaxialRun::summary() const {
-  const State<2>& state = simulation_.state();
-  const Points<2>& points = state.bodies.front().points;
+template <int Dim>
+nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
+  const State<Dim>& state = simulation_.state();
+  const Points<Dim>& points = state.bodies.front().points;
   const auto peak = std::ranges::max_element(rows_, {}, &BiaxialRow::angle);
   double residual = 0.0, counted = 0.0;
   for (const BiaxialRow& row : rows_)
     if (row.u_over_h > rows_.back().u_over_h - 0.01) residual += row.angle, counted += 1.0;
   const double mass = std::accumulate(points.mass[0], points.mass[0] + points.size(), 0.0);
   double mass_on_grid = 0.0;
-  for (const NodeSums<2>& node : state.nodes.sums) mass_on_grid += node.mass;
+  for (const NodeSums<Dim>& node : state.nodes.sums) mass_on_grid += node.mass;
   return {{"scheme", values_.text("scheme")},
           {"material", values_.text("material.model")},
           {"points", points.size()},
@@ -111,5 +131,8 @@ nlohmann::ordered_json BiaxialRun::summary() const {
           {"separated", state.report.separated},
           {"out_of_bounds", simulation_.out_of_bounds()}};
 }
+
+template class BiaxialRun<2>;
+template class BiaxialRun<3>;
 
 } // namespace riedel

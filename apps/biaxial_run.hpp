@@ -10,7 +10,7 @@
 
 namespace riedel {
 
-/// One row of history.csv. Forces and angles are means since the row before.
+/// One row of history.csv, per metre of depth. Forces and angles are means since the row before.
 struct BiaxialRow {
   std::int64_t step = 0;
   double time = 0, u_over_h = 0, angle = 0, force = 0; ///< [s], [-], [deg], [N/m]
@@ -20,6 +20,7 @@ struct BiaxialRow {
   std::int64_t out_of_bounds = 0;
 };
 
+template <int Dim>
 class BiaxialRun {
 public:
   /// Makes the specimen and writes the first row and frame. Throws InputError or RunError.
@@ -30,10 +31,11 @@ public:
   /// Writes a row and a frame of the present, if they are not written yet.
   void finish();
 
-  [[nodiscard]] const Simulation<2>& simulation() const { return simulation_; }
+  [[nodiscard]] const Simulation<Dim>& simulation() const { return simulation_; }
   [[nodiscard]] const std::vector<BiaxialRow>& rows() const { return rows_; }
   [[nodiscard]] double u_over_h() const { return u_ / values_.number("specimen.height"); }
-  [[nodiscard]] Frame frame() const; ///< the present
+  [[nodiscard]] Frame frame() const;   ///< the present
+  [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
   /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 % [-].
   [[nodiscard]] double kinetic_over_internal() const;
   /// The keys of summary.json that the run itself knows.
@@ -44,7 +46,8 @@ private:
   void add_frame();
 
   const Values& values_;
-  Simulation<2> simulation_;
+  double depth_; ///< 1 in two dimensions [m]
+  Simulation<Dim> simulation_;
   std::function<double(double)> speed_;
   History history_;
   std::optional<SeriesWriter> series_;

@@ -1,7 +1,9 @@
 #include "apps/element_keys.hpp"
 
 #include "apps/element_drivers.hpp"
+#include "apps/element_specimen.hpp"
 #include "apps/interpolation_keys.hpp"
+#include "apps/offered.hpp"
 #include "apps/path_keys.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
@@ -163,6 +165,7 @@ Findings check_element(const Values& v, const Catalogue& catalogue) {
   if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
     check_step(v, found.errors);
     check_interpolation(v, catalogue, found.errors);
+    check_offered(v, catalogue, dimensions_of_element(v), found.errors);
     check_transfer(v, catalogue, standard_flip, found);
   }
   return found;

@@ -1,17 +1,21 @@
 /// The plane strain compression test as a simulation: geometry, grid, initial state, boundaries.
 #pragma once
 
+#include "apps/specimen_geometry.hpp"
 #include "core/interface/catalogue.hpp"
 #include "core/step/simulation.hpp"
 
 namespace riedel {
 
 /// Composes the biaxial test from a validated case (docs/theory/biaxial.md). Node conditions are called "bottom", "top"
-/// and "pin"; with rigid points "top" is a rigid body.
-Simulation<2> make_biaxial(const Values& values, const Catalogue& catalogue);
+/// and "pin", in three dimensions also "back" and "front"; with rigid points "top" is a rigid body. Points are numbered
+/// row by row, and layer by layer of the depth.
+template <int Dim = 2>
+Simulation<Dim> make_biaxial(const Values& values, const Catalogue& catalogue);
 
 /// Vertical force on the top platen, compression positive, with the part that balances the confining pressure [N/m].
-double platen_force(const Simulation<2>& simulation, const Values& values);
+template <int Dim>
+double platen_force(const Simulation<Dim>& simulation, const Values& values);
 
 /// φ_mob = asin((σ1 − σ3)/(σ1 + σ3)) with σ1 = force/b0 and σ3 the confining pressure [deg].
 double mobilised_angle(double force, const Values& values);

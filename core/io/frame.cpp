@@ -2,7 +2,11 @@
 
 #include "core/base/error.hpp"
 
+#include <algorithm>
+
 namespace riedel {
+
+bool Frame::has(const std::string& name) const { return std::ranges::find(fields, name, &Field::name) != fields.end(); }
 
 const Field& Frame::field(const std::string& name) const {
   std::string known;

@@ -27,6 +27,7 @@ struct Frame {
   [[nodiscard]] std::size_t points() const { return position.size() / 3; }
   [[nodiscard]] int corners_per_point() const { return 1 << dimension; }
 
+  [[nodiscard]] bool has(const std::string& name) const;
   /// The field of that name; throws InputError that lists the names there are.
   [[nodiscard]] const Field& field(const std::string& name) const;
 

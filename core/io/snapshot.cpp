@@ -79,9 +79,8 @@ void add_fields(const Body<Dim>& body, std::vector<Field>& fields) {
   list.add("volume", Dim == 2 ? "m2" : "m3", points.volume);
   list.add("mass", Dim == 2 ? "kg/m" : "kg", points.mass);
   list.add("volume_ratio", 1, "-", [&](Index p, int) { return points.volume[0][p] / points.initial_volume[0][p]; });
-  if constexpr (Dim == 2)
-    list.add("polar_rotation", 1, "deg",
-             [&](Index p, int) { return polar_rotation<Dim>(points.deformation_gradient_of(p)); });
+  list.add("polar_rotation", 1, "deg",
+           [&](Index p, int) { return polar_rotation<Dim>(points.deformation_gradient_of(p)); });
 }
 
 /// Corners in VTK's order: counter-clockwise, the lower face first.

@@ -7,7 +7,8 @@
 namespace riedel {
 
 /// Points in the order of their ids, with every field, the law's state variables under their own names, and the domains
-/// that the scheme gives them. Polar rotation is the angle of R in F = R U (2-D), positive counter-clockwise [deg].
+/// that the scheme gives them. Polar rotation is the angle of R in F = R U, in 3-D of F's part in the plane x-y,
+/// positive counter-clockwise [deg].
 template <int Dim>
 Frame snapshot(const Simulation<Dim>& simulation, double u_over_h);
 

@@ -20,15 +20,16 @@ private:
   std::vector<std::string> averaged_;
 };
 
-class FakeScheme final : public ShapeFunction<2> {
+template <int Dim>
+class FakeScheme final : public ShapeFunction<Dim> {
 public:
   explicit FakeScheme(bool spreads) : spreads_(spreads) {}
 
   [[nodiscard]] int max_nodes() const override { return 0; }
   [[nodiscard]] int margin() const override { return 0; }
   [[nodiscard]] bool spreads_points() const override { return spreads_; }
-  void evaluate(const Grid<2>&, const Points<2>&, Range, Stencils<2>&) const override {}
-  [[nodiscard]] Mat<2> domain(const Grid<2>&, const Points<2>&, Index) const override { return Mat<2>::Zero(); }
+  void evaluate(const Grid<Dim>&, const Points<Dim>&, Range, Stencils<Dim>&) const override {}
+  [[nodiscard]] Mat<Dim> domain(const Grid<Dim>&, const Points<Dim>&, Index) const override { return Mat<Dim>::Zero(); }
 
 private:
   bool spreads_;
@@ -38,7 +39,9 @@ inline Catalogue fake_catalogue() {
   Catalogue catalogue;
   for (const std::string name : {"linear", "gimp", "cpgimp", "cpdi"})
     catalogue.in_2d.schemes.add({name, "a scheme", "a paper"},
-                                [name](const Values&) { return std::make_unique<FakeScheme>(name != "linear"); });
+                                [name](const Values&) { return std::make_unique<FakeScheme<2>>(name != "linear"); });
+  catalogue.in_3d.schemes.add({"cpdi", "a scheme", "a paper"},
+                              [](const Values&) { return std::make_unique<FakeScheme<3>>(true); });
   for (const char* name : {"cgal_kd_tree", "cell_list"})
     catalogue.in_2d.searches.add({name, "a search", "a paper"}, [] { return nullptr; });
   catalogue.in_2d.averagers.add({"gauss", "an averager", "a paper"}, [](double, auto) { return nullptr; });

@@ -171,6 +171,16 @@ TEST(BiaxialCheck, RefusesApicWithASchemeThatDoesNotSpreadPoints) {
   EXPECT_THAT(accepted({"time.transfer=tpic"}).warnings, IsEmpty());
 }
 
+TEST(BiaxialCheck, RefusesInThreeDimensionsWhatIsThereInTwoAlone) {
+  EXPECT_THAT(errors({"grid.dimensions=3"}),
+              AllOf(HasSubstr("scheme (default): \"gimp\" is not offered in three dimensions; take one of cpdi, or "
+                              "grid.dimensions = 2"),
+                    HasSubstr("nonlocal.search (default): \"cgal_kd_tree\" is not offered"),
+                    HasSubstr("nonlocal.averager (default): \"gauss\" is not offered in three dimensions; take "
+                              "grid.dimensions = 2")));
+  EXPECT_EQ(errors({"grid.dimensions=2"}), "no error");
+}
+
 TEST(BiaxialCheck, WarnsWhenThePointsAreTooFarApartForTheAverage) {
   EXPECT_THAT(
       accepted({"grid.cells=[16, 56]"}).warnings,

@@ -1,0 +1,20 @@
+/// What holds, drives and presses the biaxial specimen.
+#pragma once
+
+#include "apps/specimen_geometry.hpp"
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// Smooth platens, of which the upper one moves, and in three dimensions smooth walls.
+/// @param model receives conditions and, for a platen that the grid follows, the moving grid
+/// @param state receives the rigid body, for a platen of rigid points
+template <int Dim>
+void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& specimen, const Values& values);
+
+/// The lateral pressure, as a virtual stress or on the points at the sides.
+template <int Dim>
+void set_lateral_pressure(Model<Dim>& model, const Points<Dim>& points, const SpecimenGeometry<Dim>& specimen,
+                          const Values& values);
+
+} // namespace riedel

@@ -1,0 +1,31 @@
+/// Where the biaxial specimen stands in its grid, and the points that fill it.
+#pragma once
+
+#include "core/interface/shape_function.hpp"
+
+namespace riedel {
+
+/// Two for the plane; three for a slab of it between smooth walls.
+int dimensions_of_biaxial(const Values& values);
+
+/// Depth of the slab [m]; in two dimensions 1, because all that is told there is per metre of it.
+double specimen_depth(const Values& values);
+
+/// What follows from the case's numbers. The specimen's lower corner is the origin.
+template <int Dim>
+struct SpecimenGeometry {
+  Vec<Dim> size;                          ///< b0, h0 and the depth [m]
+  Counts<Dim> cells;                      ///< over the specimen
+  Vec<Dim> cell;                          ///< h [m]
+  Counts<Dim> margin_below, margin_above; ///< cells of the grid beside the specimen, along each axis
+
+  SpecimenGeometry(const Values& values, const ShapeFunction<Dim>& scheme);
+  [[nodiscard]] Grid<Dim> grid() const;
+};
+
+/// Fills a box from `corner` on with points, `per_cell` along each direction of a cell.
+template <int Dim>
+void fill_box(Points<Dim>& points, const Counts<Dim>& cells, const Vec<Dim>& cell, Index per_cell,
+              const Vec<Dim>& corner, int states);
+
+} // namespace riedel
