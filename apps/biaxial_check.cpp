@@ -1,4 +1,5 @@
 #include "apps/biaxial_keys.hpp"
+#include "apps/edge_balance.hpp"
 #include "apps/interpolation_keys.hpp"
 #include "apps/offered.hpp"
 #include "apps/specimen_geometry.hpp"
@@ -69,6 +70,28 @@ void check_locality(const Values& v, std::vector<Finding>& errors) {
                         " is out of range: with intergranular strain the law takes nothing averaged; allowed: 0"});
 }
 
+/// Points at the sides push their share of the pressure onto hats; the stress behind them must push back alike. For a
+/// law and a scheme that are sound: looks at the forces themselves.
+void check_sides(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  constexpr double most = 0.01; // share of the pressure
+  if (v.text("loading.lateral") != "points" || !errors.empty()) return;
+  const double imbalance = imbalance_at_start(v, catalogue);
+  if (imbalance <= most) return;
+  const std::string& scheme = v.text("scheme");
+  const std::string per_cell = std::to_string(v.integer("specimen.points_per_cell"));
+  std::string others;
+  Values with = v;
+  for (const std::string& name : catalogue.in_2d.schemes.names()) {
+    with.set("scheme", name);
+    if (imbalance_at_start(with, catalogue) <= most) others += ", " + name;
+  }
+  errors.push_back({{"loading.lateral", "scheme", "specimen.points_per_cell"},
+                    "\"points\" starts out of balance under the scheme \"" + scheme + "\" with " + per_cell +
+                        " per cell and direction: at the sides nodes keep " + rounded(100.0 * imbalance) +
+                        " % of the pressure's force; take \"virtual_stress\", exact for every scheme" +
+                        (others.empty() ? "" : ", or one of the schemes " + others.substr(2))});
+}
+
 } // namespace
 
 Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
@@ -85,6 +108,7 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   check_depth(values, found.errors);
   check_offered(values, catalogue, dimensions_of_biaxial(values), found.errors);
   check_number_of_points(values, found.errors);
+  check_sides(values, catalogue, found.errors);
   check_spacing(values, found.warnings);
   return found;
 }

@@ -1,0 +1,40 @@
+/// Which schemes balance a pressure that points at the sides carry. Tractions are spread by integrated hats, so that
+/// those schemes do whose points sum up the slopes of hats exactly.
+#include "apps/edge_balance.hpp"
+#include "verification/biaxial.hpp"
+
+#include <gtest/gtest.h>
+
+namespace riedel::test {
+namespace {
+
+double imbalance(const std::string& scheme_name, int per_cell) {
+  Values values = biaxial_values({"scheme=" + scheme_name, "specimen.points_per_cell=" + std::to_string(per_cell)});
+  values.set("loading.lateral", "points");
+  return imbalance_at_start(values, catalogue());
+}
+
+TEST(ImbalanceAtStart, VanishesUnderHatsHoweverTheyAreAveraged) {
+  for (const char* name : {"linear", "gimp", "cpgimp", "cpdi", "cpdi2", "ddmp"})
+    for (const int per_cell : {1, 2, 3}) EXPECT_LT(imbalance(name, per_cell), 1e-12) << name << ", " << per_cell;
+}
+
+/// At a cell's centre a quadratic spline slopes as a hat does. Half the force at an edge that cubic ones see from there
+/// goes to other nodes: 1/8, 3/4, 1/8 in place of 0, 1, 0; a little more in the rows next to a wall.
+TEST(ImbalanceAtStart, VanishesUnderSplinesForSinglePointsUnderQuadraticOnesAlone) {
+  EXPECT_LT(imbalance("bspline2", 1), 1e-12);
+  EXPECT_GT(imbalance("bspline2", 2), 0.24);
+  EXPECT_NEAR(imbalance("bspline3", 1), 0.28125, 1e-3);
+  EXPECT_GT(imbalance("bspline3", 2), 0.24);
+}
+
+TEST(ImbalanceAtStart, VanishesUnderTheVirtualStressForEveryScheme) {
+  for (const std::string& name : scheme_names())
+    for (const char* per_cell : {"1", "2"}) {
+      const Values values = biaxial_values({"scheme=" + name, std::string("specimen.points_per_cell=") + per_cell});
+      EXPECT_LT(imbalance_at_start(values, catalogue()), 1e-12) << name << ", " << per_cell;
+    }
+}
+
+} // namespace
+} // namespace riedel::test
