@@ -3,7 +3,7 @@
 /// Commun. 87; Bardenhagen & Kober (2004), section 4.
 #include "apps/verify/bar.hpp"
 
-#include "apps/verify/block.hpp"
+#include "apps/verify/measure.hpp"
 
 namespace riedel {
 
@@ -27,21 +27,18 @@ double modal_velocity(const Points<2>& points, const std::vector<Vec<2>>& X) {
 
 /// The known answer after one period is the velocity at the start. The frequency is that of the zeros of the mode's
 /// velocity, half a period apart.
-VerifyRun run_bar(const Catalogue& catalogue, const std::string& scheme, Index cells) {
-  VerifySetup setup =
-      make_setup(catalogue, scheme,
-                 {.cells = {cells, 1},
-                  .cell = length / cells,
-                  .material = "linear_elastic",
-                  .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
-  setup.add_roller(0, false);
-  setup.add_roller(1, false);
-  setup.add_roller(1, true);
+VerifyRun run_bar(const VerifyCase& given) {
+  VerifySetup setup = make_setup<2>(
+      given, {.cells = {given.cells, 1},
+              .cell = length / given.cells,
+              .material = "linear_elastic",
+              .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
+  for (const Side side : {Side{0, false}, Side{1, false}, Side{1, true}}) setup.add_roller(side);
   const double period = 2 * std::numbers::pi / omega;
   const Index steps = setup.divide(period, wave, 0.1);
   const std::vector<Vec<2>> X = setup.places();
   const double v0 = strain * wave;
-  for (Index p = 0; p < setup.points().size(); ++p) setup.points().velocity[0][p] = v0 * mode(X[p][0]);
+  setup.set_velocity([v0](const Vec<2>& x) { return Vec<2>(v0 * mode(x[0]), 0.0); });
 
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
   const Points<2>& points = simulation.state().bodies.front().points;

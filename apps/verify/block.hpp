@@ -1,4 +1,4 @@
-/// What the problems are made of: a block of points on a grid with room around it, rollers, and a watch.
+/// What the problems start from: a block of points on a grid with room around it, and rollers.
 #pragma once
 
 #include "apps/verify/problem.hpp"
@@ -6,68 +6,54 @@
 
 namespace riedel {
 
-/// A box from the origin, of `cells` cells of size `cell`, with 2 × 2 points in a cell.
+/// A box from the origin, of `cells` cells of size `cell`, with two points along each axis of a cell.
+template <int Dim>
 struct VerifyBlock {
-  Counts<2> cells{};
+  Counts<Dim> cells{};
   double cell = 1.0; ///< [m]
   std::string material;
   std::map<std::string, Value> parameters;
-  bool (*holds)(const Vec<2>& x) = nullptr; ///< which points of the box are material; none: all
+  bool (*holds)(const Vec<Dim>& x) = nullptr; ///< which points of the box are material; none: all
 };
 
+/// A side of the box.
+struct Side {
+  int axis = 0;
+  bool far = false;
+};
+
+/// A field by the points' places at the start, and one by time as well.
+template <int Dim>
+using Field = std::function<Vec<Dim>(const Vec<Dim>& X)>;
+template <int Dim>
+using Course = std::function<Vec<Dim>(const Vec<Dim>& X, double time)>;
+
 /// State and model before the run starts. Points are numbered as they are placed.
+template <int Dim>
 struct VerifySetup {
   Index margin = 0; ///< layers of cells around the box
-  Model<2> model;   ///< MUSL, FLIP
-  State<2> state;
+  Model<Dim> model; ///< MUSL, FLIP
+  State<Dim> state;
 
-  [[nodiscard]] Points<2>& points() { return state.bodies.front().points; }
-  [[nodiscard]] std::vector<Vec<2>> places() const; ///< X of the points, by their numbers [m]
+  [[nodiscard]] Points<Dim>& points() { return state.bodies.front().points; }
+  [[nodiscard]] const Points<Dim>& points() const { return state.bodies.front().points; }
+  [[nodiscard]] std::vector<Vec<Dim>> places() const; ///< X of the points, by their numbers [m]
+  void set_velocity(const Field<Dim>& velocity);      ///< [m/s]
+  void add_body_force(const Course<Dim>& per_mass);   ///< [N/kg]
   /// Holds the velocity across a side of the box, everywhere behind it.
-  void add_roller(int axis, bool far_side);
+  void add_roller(const Side& side);
   /// Chooses the time step so that `duration` is a whole number of steps. @return that number
   /// @param speed of the fastest wave [m/s]
   Index divide(double duration, double speed, double cfl);
 };
 
-VerifySetup make_setup(const Catalogue& catalogue, const std::string& scheme, const VerifyBlock& block);
-
-/// Steps a simulation and sums up the time it took.
-class Watch {
-public:
-  void step(Simulation<2>& simulation);
-  [[nodiscard]] double ns() const { return 1e9 * seconds_ / point_steps_; } ///< per point and step
-
-private:
-  double seconds_ = 0.0, point_steps_ = 0.0;
-};
-
-/// Relative L2 norm of an error over points, and over time when it is added to step by step.
-class ErrorNorm {
-public:
-  void add(double weight, double difference_squared, double exact_squared) {
-    squared_ += weight * difference_squared;
-    whole_ += weight * exact_squared;
-  }
-  [[nodiscard]] double value() const { return std::sqrt(squared_ / whole_); }
-
-private:
-  double squared_ = 0.0, whole_ = 0.0;
-};
+template <int Dim>
+VerifySetup<Dim> make_setup(const VerifyCase& given, const VerifyBlock<Dim>& block);
 
 /// Where a point started, the points having been sorted since. @param X by the points' numbers
-inline const Vec<2>& start_of(const Points<2>& points, Index p, const std::vector<Vec<2>>& X) {
+template <int Dim>
+const Vec<Dim>& start_of(const Points<Dim>& points, Index p, const std::vector<Vec<Dim>>& X) {
   return X[static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)])];
-}
-
-/// Adds the error of the points' displacements. @param exact displacement of a point that started at X
-template <class Exact>
-void add_displacements(ErrorNorm& norm, const Points<2>& points, const std::vector<Vec<2>>& X, const Exact& exact) {
-  for (Index p = 0; p < points.size(); ++p) {
-    const Vec<2>& start = start_of(points, p, X);
-    const Vec<2> u = exact(start);
-    norm.add(points.initial_volume[0][p], (points.position_of(p) - start - u).squaredNorm(), u.squaredNorm());
-  }
 }
 
 } // namespace riedel

@@ -3,7 +3,7 @@
 /// cross cells.
 #include "apps/verify/column.hpp"
 
-#include "apps/verify/block.hpp"
+#include "apps/verify/measure.hpp"
 
 namespace riedel {
 
@@ -25,27 +25,23 @@ void relax(Simulation<2>& simulation, Watch& watch, Index steps) {
   }
 }
 
-VerifyRun run_column(const Catalogue& catalogue, const std::string& scheme, Index cells) {
-  VerifySetup setup =
-      make_setup(catalogue, scheme,
-                 {.cells = {2, cells},
-                  .cell = height / cells,
-                  .material = "linear_elastic",
-                  .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
-  setup.add_roller(0, false);
-  setup.add_roller(0, true);
-  setup.add_roller(1, false);
+VerifyRun run_column(const VerifyCase& given) {
+  VerifySetup setup = make_setup<2>(
+      given, {.cells = {2, given.cells},
+              .cell = height / given.cells,
+              .material = "linear_elastic",
+              .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
+  for (const Side side : {Side{0, false}, Side{0, true}, Side{1, false}}) setup.add_roller(side);
   setup.model.flip = 0.0;
   const std::vector<Vec<2>> Y = setup.places();
   const double growth = 4.0 * height / std::sqrt(modulus / density); // four times the way of a wave
-  setup.model.body_forces.push_back({.per_mass = [growth](const Points<2>&, Index, double time) {
-    return Vec<2>(0.0, -gravity * std::min(1.0, time / growth));
-  }});
+  setup.add_body_force(
+      [growth](const Vec<2>&, double time) { return Vec<2>(0.0, -gravity * std::min(1.0, time / growth)); });
 
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
   Watch watch;
   while (simulation.state().time < growth) watch.step(simulation);
-  relax(simulation, watch, 150 * cells);
+  relax(simulation, watch, 150 * given.cells);
   const Points<2>& points = simulation.state().bodies.front().points;
   ErrorNorm norm;
   for (Index p = 0; p < points.size(); ++p) {

@@ -7,6 +7,13 @@
 
 namespace riedel {
 
+/// What one run of a problem is told.
+struct VerifyCase {
+  const Catalogue& catalogue;
+  std::string scheme;
+  Index cells;
+};
+
 /// What one run of a problem tells.
 struct VerifyRun {
   double error = 0.0;               ///< relative L2 error of the problem's quantity [-]
@@ -26,7 +33,7 @@ struct VerifyProblem {
   std::string source;
   std::vector<Index> cells;         ///< along the body, from coarse to fine, each twice the last
   std::vector<std::string> figures; ///< what else a run tells
-  VerifyRun (*run)(const Catalogue& catalogue, const std::string& scheme, Index cells);
+  VerifyRun (*run)(const VerifyCase& given);
   ExpectedOrder (*expected)(std::string_view scheme);
 };
 

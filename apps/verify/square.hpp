@@ -1,3 +1,4 @@
+/// The axis-aligned displacement in a square.
 #pragma once
 
 #include "apps/verify/problem.hpp"

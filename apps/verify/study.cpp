@@ -19,7 +19,7 @@ VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, cons
   VerifyStudy answer{.problem = &problem, .scheme = scheme, .runs = {}, .failure = {}};
   try {
     for (const Index cells : problem.cells)
-      if (cells <= most_cells) answer.runs.push_back(problem.run(catalogue, scheme, cells));
+      if (cells <= most_cells) answer.runs.push_back(problem.run({catalogue, scheme, cells}));
   } catch (const RunError& error) { answer.failure = error.what(); }
   return answer;
 }

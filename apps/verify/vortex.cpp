@@ -5,17 +5,14 @@
 /// the body force −R α̇² + μ R α′²/ρ along e_r and R α̈ − μ (3 α′ + R α″)/ρ along e_θ.
 #include "apps/verify/vortex.hpp"
 
-#include "apps/verify/block.hpp"
-
 namespace riedel {
 
 namespace {
 
-constexpr double pi = std::numbers::pi, modulus = 1000.0, poisson = 0.3, density = 1000.0, duration = 1.0;
+constexpr double pi = std::numbers::pi, duration = 1.0;
+constexpr ElasticConstants solid{.modulus = 1000.0, .poisson = 0.3, .density = 1000.0};
 constexpr double inner = 0.75, outer = 1.25, room = 1.25; ///< room: from the corner of the box to the middle
 constexpr double angle = pi / 12;                         ///< greatest turn
-const double lambda = modulus * poisson / ((1 + poisson) * (1 - 2 * poisson)), mu = modulus / (2 * (1 + poisson));
-
 const Vec<2> middle(room, room);
 
 Vec<2> turned(const Vec<2>& v, double by) {
@@ -46,6 +43,7 @@ Vec<2> body_force(const Vec<2>& X, double t) {
   const double rate = angle * w * std::cos(w * t) * h, growth = -angle * w * w * sine * h; // α̇, α̈
   const double d1 = angle * sine * slope, d2 = angle * sine * bend;                        // α′, α″
   const Vec<2> e_r = turned(arm / R, angle * sine * h), e_theta(-e_r[1], e_r[0]);
+  const double mu = solid.mu(), density = solid.density;
   return (-R * rate * rate + mu * R * d1 * d1 / density) * e_r +
          (R * growth - mu * (3 * d1 + R * d2) / density) * e_theta;
 }
@@ -55,35 +53,7 @@ bool in_ring(const Vec<2>& X) {
   return R > inner && R < outer;
 }
 
-/// @param cells across the ring
-VerifyRun run_vortex(const Catalogue& catalogue, const std::string& scheme, Index cells) {
-  VerifySetup setup =
-      make_setup(catalogue, scheme,
-                 {.cells = {5 * cells, 5 * cells},
-                  .cell = (outer - inner) / cells,
-                  .material = "neo_hookean",
-                  .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", poisson}, {"density", density}},
-                  .holds = in_ring});
-  const double stretch = 1 + angle * 7.8; // of the most sheared points, at the least: bounds their wave speed
-  const Index steps = setup.divide(duration, stretch * std::sqrt((lambda + 2 * mu) / density), 0.2);
-  const std::vector<Vec<2>> X = setup.places();
-  for (Index p = 0; p < setup.points().size(); ++p)
-    for (const int a : {0, 1}) setup.points().velocity[a][p] = velocity_at_start(X[p])[a];
-  setup.model.body_forces.push_back({.per_mass = [&](const Points<2>& points, Index p, double time) {
-    return body_force(start_of(points, p, X), time);
-  }});
-
-  Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
-  Watch watch;
-  ErrorNorm norm;
-  for (Index i = 0; i < steps; ++i) {
-    watch.step(simulation);
-    const double t = simulation.state().time;
-    add_displacements(norm, simulation.state().bodies.front().points, X,
-                      [&](const Vec<2>& start) { return displacement(start, t); });
-  }
-  return {norm.value(), watch.ns()};
-}
+VerifyRun run_vortex(const VerifyCase& given) { return run_manufactured(given, vortex(given.cells)); }
 
 ExpectedOrder expected_order(std::string_view scheme) {
   if (scheme == "linear") return {0.0, "none"};
@@ -91,6 +61,21 @@ ExpectedOrder expected_order(std::string_view scheme) {
 }
 
 } // namespace
+
+Manufactured<2> vortex(Index cells) {
+  const double stretch = 1 + angle * 7.8; // of the most sheared points, at the least: bounds their wave speed
+  return {.block = {.cells = {5 * cells, 5 * cells},
+                    .cell = (outer - inner) / cells,
+                    .material = "neo_hookean",
+                    .parameters = solid.parameters(),
+                    .holds = in_ring},
+          .rollers = {},
+          .duration = duration,
+          .fastest = stretch * solid.wave_speed(),
+          .displacement = displacement,
+          .velocity_at_start = velocity_at_start,
+          .body_force = body_force};
+}
 
 VerifyProblem vortex_problem() {
   return {.name = "vortex",
