@@ -51,7 +51,7 @@ Options verify_options() {
 std::string verify_help() {
   std::string text = "Problems\n";
   for (const VerifyProblem& problem : verify_problems())
-    text += "  " + problem.name + ": " + problem.title + "; " + problem.known + "\n    " + problem.source + "\n";
+    text += "  " + problem.name + ": " + problem.title + "\n    " + problem.measure + "\n    " + problem.source + "\n";
   return text + R"(
 Each runs with cells halved again and again, in two dimensions, with 2 x 2 points in a cell, MUSL and FLIP, on one
 thread. The order is the slope of the line through the logarithms of errors and cells. verify.md holds the tables that

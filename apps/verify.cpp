@@ -31,11 +31,10 @@ const VerifyProblem& drawn(const std::vector<VerifyStudy>& studies) {
   return *studies.front().problem;
 }
 
-void warn_of_orders(const std::vector<VerifyStudy>& studies) {
+void warn_of_doubts(const std::vector<VerifyStudy>& studies) {
   for (const VerifyStudy& each : studies)
-    if (each.expected().least > 0.0 && each.order() < each.expected().least)
-      print_warning(each.problem->name + " under " + each.scheme + ": order " + short_text(each.order()) +
-                    ", expected " + each.expected().text);
+    if (const std::string missed = each.missed(); !missed.empty())
+      print_warning(each.problem->name + " under " + each.scheme + ": " + missed);
 }
 
 } // namespace
@@ -66,7 +65,7 @@ int verify(const Arguments& arguments) {
   write_atomically(folder / "verify.csv", verify_csv(studies));
   draw_verify(studies, drawn(studies), folder);
   std::cout << tables;
-  warn_of_orders(studies);
+  warn_of_doubts(studies);
   return 0;
 }
 

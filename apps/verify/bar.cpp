@@ -63,19 +63,19 @@ VerifyRun run_bar(const VerifyCase& given) {
   return {norm.value(), watch.ns(), {frequency - 1.0, (end.kinetic + end.internal) / energy - 1.0}};
 }
 
-ExpectedOrder expected_order(std::string_view) { return {1.0, "1 to 2"}; }
+Expectation expectation(std::string_view) { return {"1 to 2", 1.0}; }
 
 } // namespace
 
 VerifyProblem bar_problem() {
   return {.name = "bar",
           .title = "axially vibrating bar",
-          .known = "velocity after one period, v0 sin(πX/2L)",
+          .measure = "Relative L2 error of the velocity after one period, v0 sin(πX/2L)",
           .source = "Sulsky, Chen & Schreyer (1995)",
           .cells = {8, 16, 32},
           .figures = {"frequency", "energy"},
           .run = run_bar,
-          .expected = expected_order};
+          .expected = expectation};
 }
 
 } // namespace riedel

@@ -3,6 +3,7 @@
 
 #include "core/interface/catalogue.hpp"
 
+#include <limits>
 #include <span>
 
 namespace riedel {
@@ -16,25 +17,27 @@ struct VerifyCase {
 
 /// What one run of a problem tells.
 struct VerifyRun {
-  double error = 0.0;               ///< relative L2 error of the problem's quantity [-]
+  double error = 0.0;               ///< as `VerifyProblem::measure` says [-]
   double ns = 0.0;                  ///< per point and step
   std::vector<double> figures = {}; ///< as `VerifyProblem::figures` names them [-]
 };
 
-/// The order of convergence that theory or the scheme's authors promise.
-struct ExpectedOrder {
-  double least = 0.0; ///< 0: none
-  std::string text;
+/// What theory or the scheme's authors promise.
+struct Expectation {
+  std::string text = "none";
+  double least_order = 0.0;                                    ///< of convergence; 0: none
+  double most_error = std::numeric_limits<double>::infinity(); ///< with the finest cells [-]
 };
 
 struct VerifyProblem {
   std::string name;
-  std::string title, known; ///< what it is, and its known answer
+  std::string title;
+  std::string measure; ///< what its error is, and the known answer
   std::string source;
-  std::vector<Index> cells;         ///< along the body, from coarse to fine, each twice the last
-  std::vector<std::string> figures; ///< what else a run tells
+  std::vector<Index> cells;         ///< along the body; one number, or from coarse to fine, each twice the last
+  std::vector<std::string> figures; ///< what else a run tells, as deviations
   VerifyRun (*run)(const VerifyCase& given);
-  ExpectedOrder (*expected)(std::string_view scheme);
+  Expectation (*expected)(std::string_view scheme);
 };
 
 /// Every problem: a line each.

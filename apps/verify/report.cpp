@@ -55,8 +55,8 @@ std::string verify_tables(const std::vector<VerifyStudy>& studies) {
       if (!first->failure.empty()) failures += "\n" + first->scheme + ": " + first->failure + "\n";
     }
     text += (text.empty() ? "" : "\n") +
-            ("**" + problem.name + "**: " + problem.title + ". Relative L2 error of the ") + problem.known + " (" +
-            problem.source + ").\n\n" + markdown_table(head_of(problem), rows, 1) + failures;
+            ("**" + problem.name + "**: " + problem.title + ". " + problem.measure + " (" + problem.source + ").\n\n") +
+            markdown_table(head_of(problem), rows, 1) + failures;
   }
   return text;
 }

@@ -14,6 +14,16 @@ double VerifyStudy::order() const {
   return 12 * sum / (n * (n * n - 1));
 }
 
+std::string VerifyStudy::missed() const {
+  const Expectation wish = expected();
+  const std::string wished = ", expected " + wish.text;
+  if (!failure.empty()) return wish.text == Expectation().text ? "" : failure + wished;
+  if (wish.least_order > 0.0 && order() < wish.least_order) return "order " + short_text(order()) + wished;
+  if (!runs.empty() && !(runs.back().error <= wish.most_error))
+    return "error " + short_text(runs.back().error) + wished;
+  return "";
+}
+
 VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
                   Index most_cells) {
   VerifyStudy answer{.problem = &problem, .scheme = scheme, .runs = {}, .failure = {}};

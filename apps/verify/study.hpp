@@ -11,9 +11,11 @@ struct VerifyStudy {
   std::vector<VerifyRun> runs; ///< as the problem's cells, as far as they went
   std::string failure;         ///< why the next run ended early; empty: none did
 
-  [[nodiscard]] ExpectedOrder expected() const { return problem->expected(scheme); }
+  [[nodiscard]] Expectation expected() const { return problem->expected(scheme); }
   /// Slope of the straight line through the logarithms of errors and cells; not a number for less than two runs.
   [[nodiscard]] double order() const;
+  /// What of the expected it lacks, such as "order 0.8, expected 1 to 2"; empty: nothing.
+  [[nodiscard]] std::string missed() const;
 };
 
 /// @param most_cells finer ones are left out
