@@ -52,6 +52,7 @@ Manufactured<Dim> solution_of(const AxisAligned<Dim>& motion, Index cells) {
       .fastest = solid.wave_speed(),
       .displacement = [=](const Vec<Dim>& X, double t) { return motion.displacement(X, t); },
       .velocity_at_start = [=](const Vec<Dim>& X) { return motion.velocity_at_start(X); },
+      .gradient_at_start = [=](const Vec<Dim>& X) -> Mat<Dim> { return motion.stretches(X, 0.0).asDiagonal(); },
       .body_force = [=](const Vec<Dim>& X, double t) { return motion.body_force(X, t); }};
   solution.block.cells.fill(cells);
   for (int axis = 0; axis < Dim; ++axis)
@@ -63,6 +64,10 @@ Manufactured<Dim> solution_of(const AxisAligned<Dim>& motion, Index cells) {
 
 Manufactured<2> axis_aligned_in_square(Index cells, double amplitude) {
   return solution_of(AxisAligned<2>{.amplitude = amplitude, .phase = {0.0, pi}}, cells);
+}
+
+Manufactured<3> axis_aligned_in_cube(Index cells, double amplitude) {
+  return solution_of(AxisAligned<3>{.amplitude = amplitude, .phase = {0.0, 2 * pi / 3, 4 * pi / 3}}, cells);
 }
 
 } // namespace riedel

@@ -6,8 +6,12 @@
 
 namespace riedel {
 
+/// φ = (0, π), so that the motion starts from the square.
 /// @param cells along an edge
 /// @param amplitude A [m]
 Manufactured<2> axis_aligned_in_square(Index cells, double amplitude);
+
+/// φ = (0, 2π/3, 4π/3): the motion starts from a deformed state.
+Manufactured<3> axis_aligned_in_cube(Index cells, double amplitude);
 
 } // namespace riedel
