@@ -43,9 +43,11 @@ Options check_options() {
 }
 
 Options verify_options() {
-  return {{"schemes", "A,B", "default: all"},
-          {"problems", "A,B", "default: all"},
-          {"out", "DIR", "folder for tables, numbers and pictures, written over; default: results/verify"}};
+  return {{"schemes", "A,B", "default: all; 'riedel list schemes' names them"},
+          {"problems", "A,B", "default: all; they are named below"},
+          {"out", "DIR", "folder for tables, numbers and pictures; default: results/verify"},
+          {"document", "FILE.md", "put the tables between <!-- riedel verify --> and <!-- riedel verify ends -->"},
+          {"force", "", "write over the results that the folder holds"}};
 }
 
 std::string verify_help() {
@@ -53,9 +55,10 @@ std::string verify_help() {
   for (const VerifyProblem& problem : verify_problems())
     text += "  " + problem.name + ": " + problem.title + "\n    " + problem.measure + "\n    " + problem.source + "\n";
   return text + R"(
-Each runs with cells halved again and again, in two dimensions, with 2 x 2 points in a cell, MUSL and FLIP, on one
-thread. The order is the slope of the line through the logarithms of errors and cells. verify.md holds the tables that
-are printed, verify.csv a line for each run; convergence.png and cost.png show the square whose points cross cells.
+Most run with cells halved again and again, in two dimensions unless said, with two points in a cell along each axis,
+MUSL and FLIP, on one thread. The order is the slope of the line through the logarithms of errors and cells. A warning
+tells what of the expected a scheme misses. verify.md holds the tables that are printed, verify.csv a line for each run;
+convergence.png and cost.png show the square whose points cross cells.
 
 Examples
   riedel verify

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void refuse_results(const fs::path& folder) {
-  for (const char* result : {"case.toml", "history.csv", "element.csv", "summary.json"})
+  for (const char* result : {"case.toml", "history.csv", "element.csv", "verify.csv", "summary.json"})
     if (fs::exists(folder / result))
       throw InputError("--out " + folder.string() + ": holds results already (" + result +
                        "); choose another folder, or --force to write over them");
@@ -28,9 +28,10 @@ void remove_frames(const fs::path& folder, const std::string& series) {
 
 /// All but case.toml, which may be the very case that is being run.
 void remove_results(const fs::path& folder) {
-  for (const char* result : {"history.csv", "element.csv", "output.txt", "summary.json", "points.pvd", "domains.pvd",
-                             "history.png", "history.svg", "void_ratio.png", "shear_strain.png", "stress_strain.png",
-                             "compression.png", "friction.png", "shear.png"})
+  for (const char* result :
+       {"history.csv", "element.csv", "output.txt", "summary.json", "points.pvd", "domains.pvd", "history.png",
+        "history.svg", "void_ratio.png", "shear_strain.png", "stress_strain.png", "compression.png", "friction.png",
+        "shear.png", "verify.md", "verify.csv", "convergence.png", "cost.png"})
     fs::remove(folder / result);
   for (const char* series : {"points", "domains"}) remove_frames(folder, series);
 }

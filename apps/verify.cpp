@@ -4,6 +4,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/verify/document.hpp"
 #include "apps/verify/report.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/progress.hpp"
@@ -11,12 +12,14 @@
 #include <algorithm>
 #include <iostream>
 #include <omp.h>
+#include <optional>
 
 namespace riedel {
 
 namespace {
 
 using Names = std::vector<std::string>;
+using Studies = std::vector<VerifyStudy>;
 
 Names problem_names() {
   Names names;
@@ -25,13 +28,36 @@ Names problem_names() {
 }
 
 /// The problem that the pictures show: the square whose points cross cells if it was done, else the first.
-const VerifyProblem& drawn(const std::vector<VerifyStudy>& studies) {
+const VerifyProblem& drawn(const Studies& studies) {
   for (const VerifyStudy& each : studies)
     if (each.problem->name == "square_crossing") return *each.problem;
   return *studies.front().problem;
 }
 
-void warn_of_doubts(const std::vector<VerifyStudy>& studies) {
+/// Problem by problem; those that were done when an interrupt came.
+Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names& problems, const Interrupt& interrupt) {
+  Progress progress("verify");
+  Studies studies;
+  const double all = static_cast<double>(schemes.size() * problems.size());
+  const auto stop = [&] { return static_cast<bool>(interrupt); };
+  try {
+    for (const VerifyProblem& problem : verify_problems()) {
+      if (std::ranges::find(problems, problem.name) == problems.end()) continue;
+      for (const std::string& scheme : schemes) {
+        progress.update(static_cast<double>(studies.size()) / all, problem.name + ", " + scheme);
+        studies.push_back(study(problem, catalogue, scheme, std::numeric_limits<Index>::max(), stop));
+      }
+    }
+  } catch (const VerifyStopped&) {} // what is done stays
+  return studies;
+}
+
+void write_results(const Studies& studies, const std::filesystem::path& folder) {
+  const std::string tables = verify_tables(studies);
+  write_atomically(folder / "verify.md", tables);
+  write_atomically(folder / "verify.csv", verify_csv(studies));
+  draw_verify(studies, drawn(studies), folder);
+  std::cout << tables << "\nwritten to " << folder.string() << ": verify.md, verify.csv, convergence.png, cost.png\n";
   for (const VerifyStudy& each : studies)
     if (const std::string missed = each.missed(); !missed.empty())
       print_warning(each.problem->name + " under " + each.scheme + ": " + missed);
@@ -44,28 +70,17 @@ int verify(const Arguments& arguments) {
   const Names all_schemes = catalogue.in_2d.schemes.names(), all_problems = problem_names();
   const Names schemes = arguments.names("schemes", all_schemes, all_schemes);
   const Names problems = arguments.names("problems", all_problems, all_problems);
+  std::optional<VerifyDocument> document;
+  if (const auto path = arguments.text("document")) document.emplace(*path);
   const std::filesystem::path folder = arguments.out("results/verify");
-  prepare_output_folder(folder, true);
+  const Interrupt interrupt;
+  prepare_output_folder(folder, arguments.force());
   omp_set_num_threads(1); // small problems; times are those of one thread
 
-  const Interrupt interrupt;
-  Progress progress("verify");
-  std::vector<VerifyStudy> studies;
-  const double all = static_cast<double>(schemes.size() * problems.size());
-  for (const VerifyProblem& problem : verify_problems()) {
-    if (std::ranges::find(problems, problem.name) == problems.end()) continue;
-    for (const std::string& scheme : schemes) {
-      if (interrupt) return interrupt.exit_code();
-      progress.update(static_cast<double>(studies.size()) / all, problem.name + ", " + scheme);
-      studies.push_back(study(problem, catalogue, scheme));
-    }
-  }
-  const std::string tables = verify_tables(studies);
-  write_atomically(folder / "verify.md", tables);
-  write_atomically(folder / "verify.csv", verify_csv(studies));
-  draw_verify(studies, drawn(studies), folder);
-  std::cout << tables;
-  warn_of_doubts(studies);
+  const Studies studies = carry_out(catalogue, schemes, problems, interrupt);
+  if (!studies.empty()) write_results(studies, folder);
+  if (interrupt) return interrupt.exit_code();
+  if (document) document->write(verify_tables(studies));
   return 0;
 }
 

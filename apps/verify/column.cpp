@@ -39,7 +39,7 @@ VerifyRun run_column(const VerifyCase& given) {
       [growth](const Vec<2>&, double time) { return Vec<2>(0.0, -gravity * std::min(1.0, time / growth)); });
 
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
-  Watch watch;
+  Watch watch(given);
   while (simulation.state().time < growth) watch.step(simulation);
   relax(simulation, watch, 150 * given.cells);
   const Points<2>& points = simulation.state().bodies.front().points;

@@ -47,7 +47,7 @@ VerifyRun run_manufactured(const VerifyCase& given, const Manufactured<Dim>& sol
 
   Simulation<Dim> simulation(std::move(setup.model), std::move(setup.state));
   const Points<Dim>& points = simulation.state().bodies.front().points;
-  Watch watch;
+  Watch watch(given);
   ErrorNorm norm;
   for (Index i = 0; i < steps; ++i) {
     watch.step(simulation);

@@ -7,11 +7,14 @@
 
 namespace riedel {
 
-/// Steps a simulation and sums up the time it took.
+/// Steps a simulation, sums up the time it took, and stops when it is told to.
 class Watch {
 public:
+  explicit Watch(const VerifyCase& given) : stop_(given.stop) {}
+
   template <int Dim>
   void step(Simulation<Dim>& simulation) {
+    if (stop_ && stop_()) throw VerifyStopped{};
     const auto start = std::chrono::steady_clock::now();
     simulation.step();
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -20,6 +23,7 @@ public:
   [[nodiscard]] double ns() const { return 1e9 * seconds_ / point_steps_; } ///< per point and step
 
 private:
+  std::function<bool()> stop_;
   double seconds_ = 0.0, point_steps_ = 0.0;
 };
 

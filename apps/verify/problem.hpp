@@ -3,6 +3,7 @@
 
 #include "core/interface/catalogue.hpp"
 
+#include <functional>
 #include <limits>
 #include <span>
 
@@ -13,7 +14,10 @@ struct VerifyCase {
   const Catalogue& catalogue;
   std::string scheme;
   Index cells;
+  std::function<bool()> stop = {}; ///< asked between steps; true ends the run with `VerifyStopped`
 };
+
+struct VerifyStopped {};
 
 /// What one run of a problem tells.
 struct VerifyRun {

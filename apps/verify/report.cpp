@@ -35,6 +35,14 @@ Row row_of(const VerifyStudy& study) {
   return row;
 }
 
+/// As in "frequency=-3.4e-04 energy=-3.0e-05".
+std::string figures_text(const VerifyProblem& problem, const VerifyRun& run) {
+  std::string text;
+  for (std::size_t i = 0; i < problem.figures.size(); ++i)
+    text += (i == 0 ? "" : " ") + problem.figures[i] + "=" + text_of("%.4e", run.figures[i]);
+  return text;
+}
+
 /// Commas and quotes as comma-separated files have them.
 std::string quoted(const std::string& text) {
   std::string answer = "\"";
@@ -62,7 +70,7 @@ std::string verify_tables(const std::vector<VerifyStudy>& studies) {
 }
 
 std::string verify_csv(const std::vector<VerifyStudy>& studies) {
-  std::string text = "problem,scheme,cells,error,order,expected_order,ns_per_point_step,failure\n";
+  std::string text = "problem,scheme,cells,error,order,expected_order,ns_per_point_step,failure,figures\n";
   for (const VerifyStudy& study : studies) {
     const auto line = [&](std::size_t i, const std::string& numbers, const std::string& ns, const std::string& end) {
       text += study.problem->name + "," + study.scheme + "," + std::to_string(study.problem->cells[i]) + "," + numbers +
@@ -70,29 +78,30 @@ std::string verify_csv(const std::vector<VerifyStudy>& studies) {
     };
     for (std::size_t i = 0; i < study.runs.size(); ++i)
       line(i, exact_text(study.runs[i].error) + "," + text_of("%.4f", study.order()), text_of("%.4g", study.runs[i].ns),
-           "");
-    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", quoted(study.failure));
+           "," + figures_text(*study.problem, study.runs[i]));
+    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", quoted(study.failure) + ",");
   }
   return text;
 }
 
 void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
                  const std::filesystem::path& folder) {
-  const std::string y_label = "log₁₀ of the relative L2 error";
+  const std::string y_label = "log₁₀ of the error";
   Plot convergence{.title = problem.title, .x_label = "cells", .y_label = y_label, .series = {}, .log_x = true};
-  Plot cost{.title = problem.title, .x_label = "ns per point and step", .y_label = y_label, .series = {}};
+  Plot cost = convergence;
+  cost.x_label = "ns per point and step, with the finest cells";
   for (const VerifyStudy& study : studies) {
-    if (study.problem != &problem) continue;
-    Series errors{.label = study.scheme, .x = {}, .y = {}}, times = errors;
+    if (study.problem != &problem || study.runs.empty()) continue;
+    Series errors{.label = study.scheme, .x = {}, .y = {}}, times;
     for (std::size_t i = 0; i < study.runs.size(); ++i) {
       errors.x.push_back(study.problem->cells[i]);
       errors.y.push_back(std::log10(study.runs[i].error));
-      times.x.push_back(study.runs[i].ns);
     }
-    times.y = errors.y;
-    const std::size_t number = convergence.series.size();
-    errors.style = number % 2 == 0 ? Style::solid : Style::dashed;
-    times.style = errors.style;
+    errors.style = errors.x.size() < 2                  ? Style::dots
+                   : convergence.series.size() % 2 == 0 ? Style::solid
+                                                        : Style::dashed;
+    times = errors;
+    times.x.assign(errors.x.size(), study.runs.back().ns);
     convergence.series.push_back(std::move(errors));
     cost.series.push_back(std::move(times));
   }

@@ -13,7 +13,8 @@ std::string verify_tables(const std::vector<VerifyStudy>& studies);
 /// A line for each run.
 std::string verify_csv(const std::vector<VerifyStudy>& studies);
 
-/// convergence.png: errors against cells, of `problem`. cost.png: the same errors against the time they took.
+/// convergence.png: errors against cells, of `problem`. cost.png: a line for each scheme, from its error with coarse
+/// cells to that with fine ones, where its time for a point and step stands.
 void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
                  const std::filesystem::path& folder);
 

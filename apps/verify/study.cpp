@@ -24,12 +24,12 @@ std::string VerifyStudy::missed() const {
   return "";
 }
 
-VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
-                  Index most_cells) {
+VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme, Index most_cells,
+                  const std::function<bool()>& stop) {
   VerifyStudy answer{.problem = &problem, .scheme = scheme, .runs = {}, .failure = {}};
   try {
     for (const Index cells : problem.cells)
-      if (cells <= most_cells) answer.runs.push_back(problem.run({catalogue, scheme, cells}));
+      if (cells <= most_cells) answer.runs.push_back(problem.run({catalogue, scheme, cells, stop}));
   } catch (const RunError& error) { answer.failure = error.what(); }
   return answer;
 }

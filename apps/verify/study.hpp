@@ -19,7 +19,8 @@ struct VerifyStudy {
 };
 
 /// @param most_cells finer ones are left out
+/// @param stop asked between steps; true ends the study with `VerifyStopped`
 VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
-                  Index most_cells = std::numeric_limits<Index>::max());
+                  Index most_cells = std::numeric_limits<Index>::max(), const std::function<bool()>& stop = {});
 
 } // namespace riedel

@@ -24,7 +24,7 @@ TEST(OutputFolder, IsCreatedWithItsParentsAndEmpty) {
 }
 
 TEST(OutputFolder, IsRefusedWhenItHoldsResults) {
-  for (const char* result : {"case.toml", "history.csv", "summary.json"}) {
+  for (const char* result : {"case.toml", "history.csv", "verify.csv", "summary.json"}) {
     const TemporaryFolder here;
     here.file(result, "old");
     expect_refused(here.path(), "--force");
