@@ -4,26 +4,13 @@
 #include "apps/verify/column.hpp"
 
 #include "apps/verify/measure.hpp"
+#include "apps/verify/relax.hpp"
 
 namespace riedel {
 
 namespace {
 
 constexpr double height = 1.0, modulus = 1e5, density = 1000.0, gravity = 10.0;
-
-/// Stops the motion whenever its energy has begun to fall: what is left comes to rest in a share of the time that
-/// damping takes.
-void relax(Simulation<2>& simulation, Watch& watch, Index steps) {
-  Points<2>& points = simulation.state().bodies.front().points;
-  double before = 0.0;
-  for (Index i = 0; i < steps; ++i) {
-    watch.step(simulation);
-    const double now = simulation.energies().kinetic;
-    if (now < before)
-      for (const int a : {0, 1}) points.velocity.fill(a, 0.0);
-    before = now < before ? 0.0 : now;
-  }
-}
 
 VerifyRun run_column(const VerifyCase& given) {
   VerifySetup setup = make_setup<2>(
@@ -41,7 +28,7 @@ VerifyRun run_column(const VerifyCase& given) {
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
   Watch watch(given);
   while (simulation.state().time < growth) watch.step(simulation);
-  relax(simulation, watch, 150 * given.cells);
+  relax(simulation, 150 * given.cells, [&] { watch.step(simulation); });
   const Points<2>& points = simulation.state().bodies.front().points;
   ErrorNorm norm;
   for (Index p = 0; p < points.size(); ++p) {
