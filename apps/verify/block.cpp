@@ -9,8 +9,9 @@ namespace {
 template <int Dim>
 void place_points(Points<Dim>& points, const VerifyBlock<Dim>& block, const Material& law) {
   constexpr int per_cell = 2;
-  const double spacing = block.cell / per_cell, volume = std::pow(spacing, Dim);
-  Grid<Dim> lattice{.origin = Vec<Dim>::Constant(0.5 * spacing), .cell = Vec<Dim>::Constant(spacing)};
+  const Vec<Dim> spacing = block.cell / per_cell * block.filled;
+  const double volume = spacing.prod();
+  Grid<Dim> lattice{.origin = 0.5 * spacing, .cell = spacing};
   for (std::size_t a = 0; a < Dim; ++a) lattice.nodes[a] = block.cells[a] * per_cell;
   std::vector<Vec<Dim>> places;
   for (Index i = 0; i < lattice.node_count(); ++i) {
@@ -22,7 +23,7 @@ void place_points(Points<Dim>& points, const VerifyBlock<Dim>& block, const Mate
   for (Index p = 0; p < points.size(); ++p) {
     for (int a = 0; a < Dim; ++a) {
       points.position[a][p] = places[static_cast<std::size_t>(p)][a];
-      points.half_size[a][p] = 0.5 * spacing;
+      points.half_size[a][p] = 0.5 * spacing[a];
     }
     points.volume[0][p] = points.initial_volume[0][p] = volume;
     points.mass[0][p] = density * volume;

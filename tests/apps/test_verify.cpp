@@ -29,7 +29,14 @@ TEST_P(VerifyTest, VibratesABarWithItsFrequencyAndWithoutLoss) {
   const VerifyStudy bar = refined("bar", 32);
   EXPECT_GT(bar.order(), bar.expected().least_order);
   EXPECT_LT(bar.runs.back().error, 0.01);
-  for (const double off : bar.runs.back().figures) EXPECT_LT(std::abs(off), 2e-3); // frequency, energy
+  for (const double off : bar.runs.back().figures) EXPECT_LT(std::abs(off), 2e-3); // frequency, amplitude, energy
+}
+
+TEST_P(VerifyTest, PassesThePatchTests) { EXPECT_EQ(refined("patch", 4).missed(), ""); }
+
+TEST_P(VerifyTest, HasAUniformStressUnderATractionIfItsDomainsFillTheBar) {
+  if (problem("traction_bar").expected(GetParam()).text == "none") GTEST_SKIP() << "it has no such domains";
+  EXPECT_EQ(refined("traction_bar", 8).missed(), "");
 }
 
 TEST_P(VerifyTest, ConvergesInASquareWhosePointsStayInTheirCells) {
@@ -51,8 +58,57 @@ TEST_P(VerifyTest, ConvergesInASquareWhosePointsCrossCellsIfItsAuthorsSaySo) {
   }
 }
 
+TEST_P(VerifyTest, ConvergesInACube) {
+  const VerifyStudy cube = refined("cube_crossing", 8);
+  EXPECT_GT(cube.order(), 1.0);
+  EXPECT_LT(cube.runs.back().error, GetParam() == "ddmp" ? 0.7 : 0.3);
+}
+
+TEST_P(VerifyTest, ConvergesInARingIfItSeesTheStretchAtItsFreeFaces) {
+  const bool sees = GetParam() == "cpdi" || GetParam() == "cpdi2" || GetParam() == "bspline3";
+  const VerifyStudy ring = refined("ring", sees ? 16 : 8);
+  if (GetParam() == "linear") {
+    EXPECT_GT(ring.runs.back().error, ring.runs.front().error) << "the error of crossing cells";
+  } else if (sees) {
+    EXPECT_EQ(ring.missed(), "");
+    EXPECT_LT(ring.runs.back().error, 6e-3);
+  } else {
+    EXPECT_LT(ring.runs.back().error, GetParam() == "ddmp" ? 0.15 : 0.03);
+  }
+}
+
+TEST_P(VerifyTest, KeepsMomentumAndEnergyOfCollidingDiscs) {
+  const VerifyRun run = refined("discs", 20).runs.back();
+  EXPECT_LT(run.error, 0.01);
+  EXPECT_LT(run.figures[0], 1e-14); // momentum
+  EXPECT_LT(run.figures[2], -0.05) << "the discs have not met";
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryScheme, VerifyTest, testing::ValuesIn(scheme_names()),
                          [](const auto& tested) { return tested.param; });
+
+VerifyStudy study_with(Expectation (*expected)(std::string_view), const std::vector<double>& errors) {
+  static VerifyProblem asked;
+  asked.expected = expected;
+  VerifyStudy study{.problem = &asked, .scheme = "gimp", .runs = {}, .failure = {}};
+  for (const double error : errors) study.runs.push_back({.error = error});
+  return study;
+}
+
+TEST(VerifyStudy, TellsWhatItLacks) {
+  const auto second_order = [](std::string_view) -> Expectation { return {.text = "2", .least_order = 1.5}; };
+  const auto small = [](std::string_view) -> Expectation { return {.text = "small", .most_error = 0.1}; };
+  const auto nothing = [](std::string_view) -> Expectation { return {}; };
+  EXPECT_EQ(study_with(second_order, {0.16, 0.04, 0.01}).missed(), "");
+  EXPECT_EQ(study_with(second_order, {0.16, 0.08, 0.04}).missed(), "order 1, expected 2");
+  EXPECT_EQ(study_with(small, {0.3, 0.05}).missed(), "");
+  EXPECT_EQ(study_with(small, {0.05, 0.3}).missed(), "error 0.3, expected small");
+  EXPECT_EQ(study_with(small, {std::nan("")}).missed(), "error nan, expected small");
+  EXPECT_EQ(study_with(nothing, {0.1, 10.0}).missed(), "");
+  VerifyStudy failed = study_with(small, {});
+  failed.failure = "a point is lost";
+  EXPECT_EQ(failed.missed(), "a point is lost, expected small");
+}
 
 } // namespace
 } // namespace riedel::test

@@ -1,0 +1,28 @@
+/// Patch tests through whole steps: motions that every scheme must carry out exactly.
+#pragma once
+
+#include "apps/verify/measure.hpp"
+
+namespace riedel {
+
+/// A square or cube of one metre, linear elastic, on so many cells.
+template <int Dim>
+VerifySetup<Dim> make_patch(const VerifyCase& given);
+
+/// The greatest errors of all points: of velocities, F and stresses over their scales, and of places in cells.
+/// A free body in uniform translation by nearly two cells stays free of strain and stress.
+template <int Dim>
+double error_of_translation(VerifySetup<Dim> setup, Watch& watch);
+
+/// The nodes are held in v = A x/T plus a constant over n steps, T in all: F = (I + A/n)ⁿ everywhere, and one stress.
+/// @param A one entry in a row at the most [-]
+template <int Dim>
+double error_of_linear_motion(VerifySetup<Dim> setup, const Mat<Dim>& A, Watch& watch);
+
+/// What still counts as exact. Slopes of GIMP fade later than its masses: they miss nodes of less than a share of 1e-12
+/// of a point's mass, which carry no motion.
+double patch_round_off(std::string_view scheme);
+
+VerifyProblem patch_problem();
+
+} // namespace riedel
