@@ -20,7 +20,7 @@ protected:
 
   static VerifyStudy refined(std::string_view name, Index most_cells) {
     VerifyStudy answer = study(problem(name), catalogue(), GetParam(), most_cells);
-    EXPECT_EQ(answer.failure, "");
+    if (!answer.failure.empty()) throw std::runtime_error(answer.failure);
     return answer;
   }
 };
