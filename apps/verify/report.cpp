@@ -88,8 +88,11 @@ void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& p
                  const std::filesystem::path& folder) {
   const std::string y_label = "log₁₀ of the error";
   Plot convergence{.title = problem.title, .x_label = "cells", .y_label = y_label, .series = {}, .log_x = true};
-  Plot cost = convergence;
-  cost.x_label = "ns per point and step, with the finest cells";
+  Plot cost{.title = problem.title,
+            .x_label = "ns per point and step, with the finest cells",
+            .y_label = y_label,
+            .series = {}};
+  double least = std::numeric_limits<double>::infinity(), most = 0.0; // cost
   for (const VerifyStudy& study : studies) {
     if (study.problem != &problem || study.runs.empty()) continue;
     Series errors{.label = study.scheme, .x = {}, .y = {}}, times;
@@ -102,9 +105,13 @@ void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& p
                                                         : Style::dashed;
     times = errors;
     times.x.assign(errors.x.size(), study.runs.back().ns);
+    least = std::min(least, study.runs.back().ns);
+    most = std::max(most, study.runs.back().ns);
     convergence.series.push_back(std::move(errors));
     cost.series.push_back(std::move(times));
   }
+  cost.log_x = most > 3.0 * least;
+  if (most > 0.0) cost.x_range = Interval{0.95 * least, 1.05 * most};
   write_png(folder / "convergence.png", convergence);
   write_png(folder / "cost.png", cost);
 }
