@@ -65,15 +65,19 @@ std::filesystem::path Arguments::out(const std::filesystem::path& otherwise) con
   return given ? std::filesystem::path(*given) : otherwise;
 }
 
-int Arguments::threads() const {
-  constexpr int most = 1024;
-  const std::optional<std::string> given = text("threads");
-  if (!given) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+int Arguments::integer(std::string_view option, int otherwise, int least, int most) const {
+  const std::optional<std::string> given = text(option);
+  if (!given) return otherwise;
   int number = 0;
   const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
-  if (error != std::errc{} || end != given->data() + given->size() || number < 1 || number > most)
-    throw InputError("--threads " + *given + ": allowed: an integer in [1, " + std::to_string(most) + "]");
+  if (error != std::errc{} || end != given->data() + given->size() || number < least || number > most)
+    throw InputError("--" + std::string(option) + " " + *given + ": allowed: an integer in [" + std::to_string(least) +
+                     ", " + std::to_string(most) + "]");
   return number;
+}
+
+int Arguments::threads() const {
+  return integer("threads", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), 1, 1024);
 }
 
 Texts Arguments::list(std::string_view option, const Texts& otherwise) const {

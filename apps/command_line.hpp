@@ -23,6 +23,8 @@ struct Arguments {
                                                const std::vector<std::string>& known) const;
   [[nodiscard]] std::filesystem::path out(const std::filesystem::path& otherwise) const; ///< --out
   [[nodiscard]] bool force() const { return has("force"); }
+  /// @throws InputError for what is no integer in [least, most]
+  [[nodiscard]] int integer(std::string_view option, int otherwise, int least, int most) const;
   /// --threads; as many as the machine has when it is not given. @throws InputError when it is no positive number
   [[nodiscard]] int threads() const;
   /// The case file (the word at `position`, else the defaults) with every --set on it.

@@ -45,6 +45,7 @@ Options check_options() {
 Options verify_options() {
   return {{"schemes", "A,B", "default: all; 'riedel list schemes' names them"},
           {"problems", "A,B", "default: all; they are named below"},
+          {"points", "N", "in a cell along each axis; default: the problem's own number, mostly 2"},
           {"out", "DIR", "folder for tables, numbers and pictures; default: results/verify"},
           {"document", "FILE.md", "put the tables between <!-- riedel verify --> and <!-- riedel verify ends -->"},
           {"force", "", "write over the results that the folder holds"}};

@@ -35,17 +35,18 @@ const VerifyProblem& drawn(const Studies& studies) {
 }
 
 /// Problem by problem; those that were done when an interrupt came.
-Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names& problems, const Interrupt& interrupt) {
+Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names& problems, int points,
+                  const Interrupt& interrupt) {
   Progress progress("verify");
   Studies studies;
   const double all = static_cast<double>(schemes.size() * problems.size());
-  const auto stop = [&] { return static_cast<bool>(interrupt); };
+  const StudyOptions options{.points = points, .stop = [&] { return static_cast<bool>(interrupt); }};
   try {
     for (const VerifyProblem& problem : verify_problems()) {
       if (std::ranges::find(problems, problem.name) == problems.end()) continue;
       for (const std::string& scheme : schemes) {
         progress.update(static_cast<double>(studies.size()) / all, problem.name + ", " + scheme);
-        studies.push_back(study(problem, catalogue, scheme, std::numeric_limits<Index>::max(), stop));
+        studies.push_back(study(problem, catalogue, scheme, options));
       }
     }
   } catch (const VerifyStopped&) {} // what is done stays
@@ -70,6 +71,7 @@ int verify(const Arguments& arguments) {
   const Names all_schemes = catalogue.in_2d.schemes.names(), all_problems = problem_names();
   const Names schemes = arguments.names("schemes", all_schemes, all_schemes);
   const Names problems = arguments.names("problems", all_problems, all_problems);
+  const int points = arguments.integer("points", 0, 1, 10);
   std::optional<VerifyDocument> document;
   if (const auto path = arguments.text("document")) document.emplace(*path);
   const std::filesystem::path folder = arguments.out("results/verify");
@@ -77,7 +79,7 @@ int verify(const Arguments& arguments) {
   prepare_output_folder(folder, arguments.force());
   omp_set_num_threads(1); // small problems; times are those of one thread
 
-  const Studies studies = carry_out(catalogue, schemes, problems, interrupt);
+  const Studies studies = carry_out(catalogue, schemes, problems, points, interrupt);
   if (!studies.empty()) write_results(studies, folder);
   if (interrupt) return interrupt.exit_code();
   if (document) document->write(verify_tables(studies));

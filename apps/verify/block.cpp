@@ -7,8 +7,7 @@ namespace riedel {
 namespace {
 
 template <int Dim>
-void place_points(Points<Dim>& points, const VerifyBlock<Dim>& block, const Material& law) {
-  constexpr int per_cell = 2;
+void place_points(Points<Dim>& points, const VerifyBlock<Dim>& block, int per_cell, const Material& law) {
   const Vec<Dim> spacing = block.cell / per_cell * block.filled;
   const double volume = spacing.prod();
   Grid<Dim> lattice{.origin = 0.5 * spacing, .cell = spacing};
@@ -96,7 +95,7 @@ VerifySetup<Dim> make_setup(const VerifyCase& given, const VerifyBlock<Dim>& blo
   Body<Dim>& body = setup.state.bodies.emplace_back();
   body.name = "block";
   body.material = law.make(values);
-  place_points(body.points, block, *body.material);
+  place_points(body.points, block, given.points > 0 ? given.points : block.points, *body.material);
   return setup;
 }
 

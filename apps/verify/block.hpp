@@ -6,11 +6,12 @@
 
 namespace riedel {
 
-/// A box from the origin, of `cells` cells of size `cell`, with two points for a cell along each axis.
+/// A box from the origin, of `cells` cells of size `cell`.
 template <int Dim>
 struct VerifyBlock {
   Counts<Dim> cells{};
   double cell = 1.0;                  ///< [m]
+  int points = 2;                     ///< for a cell along each axis
   Vec<Dim> filled = Vec<Dim>::Ones(); ///< share of the box that the points share out among them, along each axis [-]
   std::string material;
   std::map<std::string, Value> parameters;

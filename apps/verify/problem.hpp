@@ -14,6 +14,7 @@ struct VerifyCase {
   const Catalogue& catalogue;
   std::string scheme;
   Index cells;
+  int points = 0;                  ///< in a cell along each axis; 0: as many as the problem has by itself
   std::function<bool()> stop = {}; ///< asked between steps; true ends the run with `VerifyStopped`
 };
 

@@ -56,6 +56,7 @@ std::string verify_tables(const std::vector<VerifyStudy>& studies) {
   std::string text;
   for (auto first = studies.begin(); first != studies.end();) {
     const VerifyProblem& problem = *first->problem;
+    const std::string points = first->points > 0 ? ", points per cell and axis: " + std::to_string(first->points) : "";
     std::vector<Row> rows;
     std::string failures;
     for (; first != studies.end() && first->problem == &problem; ++first) {
@@ -63,7 +64,8 @@ std::string verify_tables(const std::vector<VerifyStudy>& studies) {
       if (!first->failure.empty()) failures += "\n" + first->scheme + ": " + first->failure + "\n";
     }
     text += (text.empty() ? "" : "\n") +
-            ("**" + problem.name + "**: " + problem.title + ". " + problem.measure + " (" + problem.source + ").\n\n") +
+            ("**" + problem.name + "**: " + problem.title + points + ". " + problem.measure + " (" + problem.source +
+             ").\n\n") +
             markdown_table(head_of(problem), rows, 1) + failures;
   }
   return text;

@@ -24,12 +24,13 @@ std::string VerifyStudy::missed() const {
   return "";
 }
 
-VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme, Index most_cells,
-                  const std::function<bool()>& stop) {
-  VerifyStudy answer{.problem = &problem, .scheme = scheme, .runs = {}, .failure = {}};
+VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
+                  const StudyOptions& options) {
+  VerifyStudy answer{.problem = &problem, .scheme = scheme, .points = options.points, .runs = {}, .failure = {}};
   try {
     for (const Index cells : problem.cells)
-      if (cells <= most_cells) answer.runs.push_back(problem.run({catalogue, scheme, cells, stop}));
+      if (cells <= options.most_cells)
+        answer.runs.push_back(problem.run({catalogue, scheme, cells, options.points, options.stop}));
   } catch (const RunError& error) { answer.failure = error.what(); }
   return answer;
 }

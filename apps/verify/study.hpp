@@ -8,6 +8,7 @@ namespace riedel {
 struct VerifyStudy {
   const VerifyProblem* problem = nullptr;
   std::string scheme;
+  int points = 0;              ///< in a cell along each axis; 0: the problem's own number
   std::vector<VerifyRun> runs; ///< as the problem's cells, as far as they went
   std::string failure;         ///< why the next run ended early; empty: none did
 
@@ -18,9 +19,13 @@ struct VerifyStudy {
   [[nodiscard]] std::string missed() const;
 };
 
-/// @param most_cells finer ones are left out
-/// @param stop asked between steps; true ends the study with `VerifyStopped`
+struct StudyOptions {
+  Index most_cells = std::numeric_limits<Index>::max(); ///< finer ones are left out
+  int points = 0;                                       ///< in a cell along each axis; 0: the problem's own number
+  std::function<bool()> stop = {}; ///< asked between steps; true ends the study with `VerifyStopped`
+};
+
 VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
-                  Index most_cells = std::numeric_limits<Index>::max(), const std::function<bool()>& stop = {});
+                  const StudyOptions& options = {});
 
 } // namespace riedel

@@ -19,7 +19,7 @@ protected:
   void SetUp() override { omp_set_num_threads(1); }
 
   static VerifyStudy refined(std::string_view name, Index most_cells) {
-    VerifyStudy answer = study(problem(name), catalogue(), GetParam(), most_cells);
+    VerifyStudy answer = study(problem(name), catalogue(), GetParam(), {.most_cells = most_cells});
     if (!answer.failure.empty()) throw std::runtime_error(answer.failure);
     return answer;
   }
@@ -77,6 +77,12 @@ TEST_P(VerifyTest, ConvergesInARingIfItSeesTheStretchAtItsFreeFaces) {
   }
 }
 
+TEST_P(VerifyTest, ConvergesInAVortexWithThreePointsForACell) {
+  const VerifyStudy vortex = refined("vortex", 8);
+  EXPECT_GT(vortex.order(), 1.4);
+  EXPECT_LT(vortex.runs.back().error, GetParam() == "ddmp" ? 0.25 : 0.12);
+}
+
 TEST_P(VerifyTest, KeepsMomentumAndEnergyOfCollidingDiscs) {
   const VerifyRun run = refined("discs", 20).runs.back();
   EXPECT_LT(run.error, 0.01);
@@ -86,6 +92,20 @@ TEST_P(VerifyTest, KeepsMomentumAndEnergyOfCollidingDiscs) {
 
 INSTANTIATE_TEST_SUITE_P(EveryScheme, VerifyTest, testing::ValuesIn(scheme_names()),
                          [](const auto& tested) { return tested.param; });
+
+/// Two points along each axis leave an error of sums over points that falls more slowly, with order 1.3.
+TEST(Bspline2, KeepsItsSecondOrderAcrossCellsWithFourPointsForACell) {
+  omp_set_num_threads(1);
+  const VerifyStudy square = study(problem("square_crossing"), catalogue(), "bspline2", {.points = 4});
+  EXPECT_GT(square.order(), 2.0);
+  EXPECT_LT(square.runs.back().error, 0.01);
+}
+
+/// Shear draws two points for a cell more than a cell apart: hats do not see that they are neighbours any more.
+TEST(Gimp, FallsApartInAVortexWithTwoPointsForACell) {
+  omp_set_num_threads(1);
+  EXPECT_NE(study(problem("vortex"), catalogue(), "gimp", {.most_cells = 8, .points = 2}).failure, "");
+}
 
 VerifyStudy study_with(Expectation (*expected)(std::string_view), const std::vector<double>& errors) {
   static VerifyProblem asked;

@@ -53,6 +53,14 @@ TEST_F(VerifyProgram, WritesOverEarlierResultsWithForceAlone) {
   EXPECT_THAT(content("verify.csv"), StartsWith("problem,"));
 }
 
+TEST_F(VerifyProgram, TakesTheNumberOfPointsInACell) {
+  ASSERT_EQ(run(folder_, words({"--points", "1"})).code, 0);
+  EXPECT_THAT(content("verify.md"), StartsWith("**bar**: axially vibrating bar, points per cell and axis: 1."));
+  const Outcome refused = run(folder_, words({"--points", "0"}));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--points 0: allowed: an integer in [1, 10]"));
+}
+
 TEST_F(VerifyProgram, RefusesUnknownNamesAndListsTheKnownOnes) {
   const Outcome scheme = run(folder_, words({"--schemes", "gim"}));
   EXPECT_EQ(scheme.code, 2);
