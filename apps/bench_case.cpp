@@ -52,7 +52,9 @@ void set_state_of_start(Body<Dim>& body) {
   Points<Dim>& points = body.points;
   for (int c = 0; c < 6; ++c) points.stress.fill(c, c < 3 ? -block::pressure : 0.0);
   const int e = state_column(body.material->states(), "void_ratio");
-  for (int s = 0; s < points.state.components(); ++s) points.state.fill(s, s == e ? block::void_ratio : 0.0);
+  const std::vector<double> start = body.material->initial_state();
+  for (int s = 0; s < points.state.components(); ++s)
+    points.state.fill(s, s == e ? block::void_ratio : start[static_cast<std::size_t>(s)]);
 }
 
 template <int Dim>

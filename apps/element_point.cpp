@@ -8,8 +8,7 @@ namespace riedel {
 namespace {
 
 LawPoint start_of(const Material& law, const Sym<double>& stress, const Values& values) {
-  LawPoint start{.stress = stress,
-                 .state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
+  LawPoint start{.stress = stress, .state = law.initial_state()};
   const int e = state_column(law.states(), "void_ratio");
   if (e >= 0) start.state[static_cast<std::size_t>(e)] = values.number("specimen.void_ratio");
   const int h = state_column(law.states(), "intergranular_strain");

@@ -95,7 +95,7 @@ template <int Dim>
 void fill(Body<Dim>& body, const Frame<Dim>& frame, const Values& v, const Sym<double>& stress) {
   const auto per_edge = static_cast<Index>(frame.cells * v.integer("specimen.points_per_cell"));
   const double spacing = frame.edge / per_edge;
-  std::vector<double> state(static_cast<std::size_t>(state_components(body.material->states())), 0.0);
+  std::vector<double> state = body.material->initial_state();
   const int e = state_column(body.material->states(), "void_ratio");
   if (e >= 0) state[static_cast<std::size_t>(e)] = v.number("specimen.void_ratio");
   const double mass = body.material->density(state) * std::pow(spacing, Dim);
@@ -109,7 +109,7 @@ void fill(Body<Dim>& body, const Frame<Dim>& frame, const Values& v, const Sym<d
     points.volume[0][p] = points.initial_volume[0][p] = std::pow(spacing, Dim);
     points.mass[0][p] = mass;
     for (int c = 0; c < 6; ++c) points.stress[c][p] = stress.m[static_cast<std::size_t>(c)];
-    if (e >= 0) points.state[e][p] = v.number("specimen.void_ratio");
+    for (std::size_t s = 0; s < state.size(); ++s) points.state[static_cast<int>(s)][p] = state[s];
   }
 }
 

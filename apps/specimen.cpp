@@ -40,7 +40,7 @@ void set_initial_state(Body<Dim>& body, const Values& v) {
   const int e = state_column(body.material->states(), "void_ratio");
   const double e_0 = v.number("specimen.void_ratio"), pressure = v.number("loading.confining_pressure");
   Points<Dim>& points = body.points;
-  std::vector<double> state(static_cast<std::size_t>(points.state.components()), 0.0);
+  std::vector<double> state = body.material->initial_state();
   const auto density_at = [&](double void_ratio) {
     if (e >= 0) state[static_cast<std::size_t>(e)] = void_ratio;
     return body.material->density(state);
@@ -49,7 +49,7 @@ void set_initial_state(Body<Dim>& body, const Values& v) {
   for (Index p = 0; p < points.size(); ++p) {
     const double void_ratio = patch.contains(points.position_of(p)) ? patch.void_ratio : e_0;
     points.mass[0][p] = density_at(void_ratio) * points.volume[0][p];
-    if (e >= 0) points.state[e][p] = void_ratio;
+    for (std::size_t s = 0; s < state.size(); ++s) points.state[static_cast<int>(s)][p] = state[s];
     points.stress[0][p] = points.stress[2][p] = -pressure;
     points.stress[1][p] = -(pressure + weight * (v.number("specimen.height") - points.position[1][p]));
   }

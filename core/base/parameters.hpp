@@ -35,6 +35,7 @@ struct Key {
   Bounds bounds;
   std::string doc;
   std::vector<std::string> choices = {}; ///< for texts with a closed list; empty: any text
+  bool any_length = false;               ///< for lists: as many entries as the user likes
 
   /// A number, or a word of `choices` that may also be replaced by a number because the key has a unit (`step =
   /// "auto"`).

@@ -17,14 +17,22 @@ struct StateVariable {
   int components = 1; ///< 1: scalar; 6: symmetric tensor in Mandel components, rotated by the solver
 };
 
+/// How points moved over a step, for a law that follows their motion.
+struct Motion {
+  std::array<const double*, 9> velocity_gradient{};    ///< L, row by row [1/s]
+  std::array<const double*, 9> deformation_gradient{}; ///< F at the end of the step, row by row [-]
+};
+
 /// The points handed to a law at once: columns of `size` numbers.
 struct MaterialBatch {
   Index size = 0;
   double time_step = 0.0;          ///< Δt [s]
+  double time = 0.0;               ///< at the start of the step [s]
   std::array<double*, 6> stress{}; ///< Cauchy, tension positive, Mandel, already rotated by the solver [Pa]; in, out
   std::array<const double*, 6> rate{}; ///< rate of deformation D, Mandel [1/s]
   const double* averaged = nullptr;    ///< non-local average of the scalar the law named; null: local
   std::span<double* const> state{};    ///< a column per component of the declared variables; in, out
+  const Motion* motion = nullptr;      ///< for a law that follows it; null where only rates of strain are known
 };
 
 /// What happened inside one call, or many.
@@ -64,6 +72,10 @@ public:
   [[nodiscard]] virtual std::span<const StateVariable> states() const = 0;
   /// Scalars that the law can take averaged over a neighbourhood: `rate_norm` (‖D‖) or one of its state variables.
   [[nodiscard]] virtual std::vector<std::string> nonlocal_variables() const { return {}; }
+  /// Values of the state components before anything has happened; a driver puts its void ratio in their place.
+  [[nodiscard]] virtual std::vector<double> initial_state() const;
+  /// Whether the law asks for the points' motion beside the rate of deformation; their rotation is the solver's.
+  [[nodiscard]] virtual bool follows_motion() const { return false; }
   /// @param state one value per state component   @return bulk density [kg/m³]
   [[nodiscard]] virtual double density(std::span<const double> state) const = 0;
   /// Advances stress and state by one step. Does not throw; failures stand in the report.
@@ -97,6 +109,10 @@ inline int state_components(std::span<const StateVariable> states) {
   for (const StateVariable& variable : states) count += variable.components;
   return count;
 }
+inline std::vector<double> Material::initial_state() const {
+  return std::vector<double>(static_cast<std::size_t>(state_components(states())), 0.0);
+}
+
 /// Column of the variable called `name`, or −1.
 inline int state_column(std::span<const StateVariable> states, std::string_view name) {
   int column = 0;

@@ -68,7 +68,7 @@ template <class Number, class Read>
 Value list_from(const Given& given, const Key& key, Read read) {
   if (given.kind != Given::Kind::list) throw InputError("is not a list");
   const std::size_t length = std::get<std::vector<Number>>(key.default_value).size();
-  if (given.items.size() != length)
+  if (!key.any_length && given.items.size() != length)
     throw InputError("has " + std::to_string(given.items.size()) + " entries instead of " + std::to_string(length));
   std::vector<Number> numbers;
   try {

@@ -55,8 +55,11 @@ constexpr auto components_of_motion = [] {
 template <int Dim>
 class LawBlock {
 public:
-  LawBlock(Points<Dim>& points, double dt) : points_(points) {
+  /// @param time at the start of the step [s]
+  LawBlock(Points<Dim>& points, const Material& law, double time, double dt) : points_(points) {
+    batch_.time = time;
     batch_.time_step = dt;
+    if (law.follows_motion()) batch_.motion = &motion_;
     for (int c = 0; c < 6; ++c) batch_.rate[c] = D_[c].data();
   }
   const MaterialBatch& batch() const { return batch_; }
@@ -67,6 +70,7 @@ public:
     for (int c = 0; c < 6; ++c) batch_.stress[c] = points_.stress[c] + range.begin;
     for (int s = 0; s < points_.state.components(); ++s) state_[s] = points_.state[s] + range.begin;
     batch_.state = {state_.data(), static_cast<std::size_t>(points_.state.components())};
+    if (batch_.motion != nullptr) follow_motion();
   }
   void take_average(const double* averaged) { batch_.averaged = averaged ? averaged + range_.begin : nullptr; }
 
@@ -103,6 +107,18 @@ public:
   }
 
 private:
+  void follow_motion() {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const bool moves = i < Dim && j < Dim;
+        motion_.velocity_gradient[i * 3 + j] =
+            moves ? points_.velocity_gradient[i * Dim + j] + range_.begin : none_.data();
+        motion_.deformation_gradient[i * 3 + j] = moves    ? points_.deformation_gradient[i * Dim + j] + range_.begin
+                                                  : i == j ? one_.data()
+                                                           : none_.data();
+      }
+  }
+
   /// Σ of `part(p, i)`, p the first of eight points and i its place in the block; padded points have no volume.
   template <class Part>
   double sum_over_packs(const Part& part) const {
@@ -117,6 +133,13 @@ private:
   Range range_;
   std::array<std::array<double, law_block>, 6> D_{}; ///< components that no motion in the plane has stay zero
   std::array<double*, most_state_columns> state_{};
+  inline static constexpr auto filled = [](double x) {
+    std::array<double, law_block> all{};
+    all.fill(x);
+    return all;
+  };
+  inline static const std::array<double, law_block> none_ = filled(0.0), one_ = filled(1.0); ///< out of the plane
+  Motion motion_;
   MaterialBatch batch_;
 };
 
@@ -137,9 +160,9 @@ void rotate_state(Body<Dim>& body, Range range, double dt) {
 
 /// Rotation and law over a range of points.
 template <ObjectiveRate objective, int Dim>
-StressShare update_range(Body<Dim>& body, Range whole, const double* averaged, double dt) {
+StressShare update_range(Body<Dim>& body, Range whole, const double* averaged, double time, double dt) {
   StressShare share;
-  LawBlock<Dim> block(body.points, dt);
+  LawBlock<Dim> block(body.points, *body.material, time, dt);
   rotate_state<objective>(body, whole, dt);
   for (Index b = whole.begin; b < whole.end; b += law_block) {
     block.move_to({b, std::min(b + law_block, whole.end)});
@@ -188,7 +211,8 @@ void update_stress(State<Dim>& state, const Model<Dim>& model, double dt) {
     const double* averaged = average(state, body);
     const PhaseClock::Lap lap(state.clock, Phase::law);
     const StressShare all = reduce_blocks(
-        body.points.size(), state.shares, StressShare{}, [&](Range range) { return update(body, range, averaged, dt); },
+        body.points.size(), state.shares, StressShare{},
+        [&](Range range) { return update(body, range, averaged, state.time, dt); },
         [](StressShare sum, const StressShare& share) {
           sum.report.add(share.report, 0);
           sum.work += share.work;
@@ -206,7 +230,7 @@ Survey survey(Body<Dim>& body, std::vector<Survey>& parts) {
       body.points.size(), parts, Survey{},
       [&](Range range) {
         Survey found;
-        LawBlock<Dim> block(body.points, 0.0);
+        LawBlock<Dim> block(body.points, *body.material, 0.0, 0.0);
         for (Index b = range.begin; b < range.end; b += law_block) {
           block.move_to({b, std::min(b + law_block, range.end)});
           found.add(body.material->survey(block.batch()));
