@@ -78,7 +78,7 @@ int bench(const Arguments& arguments) {
   const bool peers = arguments.has("peers"), machine = arguments.has("machine");
   if (peers && machine) throw InputError("--peers and --machine: one at a time");
   if (peers || machine) refuse_choices(arguments, peers ? "peers" : "machine");
-  const Catalogue catalogue = full_catalogue();
+  const Catalogue catalogue = inventory(arguments.list("plugin", {})).catalogue;
   BenchEffort effort = bench_effort(arguments);
   const std::vector<BenchCase> cases = peers ? peer_cases() : bench_cases(arguments, catalogue);
 

@@ -93,6 +93,7 @@ Options bench_options() {
   options.push_back({"repeats", "N", "median, least and most are over so many; default: 5"});
   options.push_back({"seconds", "T", "that a repeat takes at least; default: 0.2"});
   options.push_back({"json", "FILE", "write the figures there as well"});
+  options.push_back(plugin_option());
   options.push_back({"peers", "", "the cases that other programs were measured in, beside their figures"});
   options.push_back({"machine", "", "what this machine can do: bandwidth, peak, exp, pow, law, bare kernel"});
   return options;

@@ -139,8 +139,9 @@ int run_case(const Values& values, const Catalogue& catalogue, const std::filesy
 } // namespace
 
 int biaxial(const Arguments& arguments) {
-  const Catalogue catalogue = full_catalogue();
-  const CheckedCase given = biaxial_case(arguments.case_file(), catalogue);
+  const CaseFile file = arguments.case_file();
+  const Catalogue catalogue = inventory(file).catalogue;
+  const CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& warning : given.warnings) print_warning(warning);
   const std::filesystem::path folder = arguments.out("results/biaxial");
   const int threads = arguments.threads();

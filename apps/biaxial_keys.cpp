@@ -1,5 +1,6 @@
 #include "apps/biaxial_keys.hpp"
 
+#include "apps/catalogue.hpp"
 #include "apps/interpolation_keys.hpp"
 #include "apps/step_keys.hpp"
 
@@ -55,6 +56,7 @@ Keys averaging_keys(const Catalogue& catalogue) {
       {"nonlocal.variable", "rate_norm", "", any, "scalar of the law that is averaged"},
       {"nonlocal.search", "cgal_kd_tree", "", any, "search for neighbours", catalogue.in_2d.searches.names()},
       {"nonlocal.averager", "gauss", "", any, "way of averaging", catalogue.in_2d.averagers.names()},
+      plugin_key("nonlocal", "the search or the averager"),
   };
 }
 
@@ -92,8 +94,10 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
 }
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  return checked_case(given, biaxial_keys(catalogue, model_of(given)),
-                      [&](const Values& values) { return check_biaxial(values, catalogue); });
+  CheckedCase checked = checked_case(given, biaxial_keys(catalogue, model_of(given)),
+                                     [&](const Values& values) { return check_biaxial(values, catalogue); });
+  try_material(given, checked.values, catalogue);
+  return checked;
 }
 
 } // namespace riedel

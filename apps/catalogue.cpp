@@ -1,10 +1,57 @@
 #include "apps/catalogue.hpp"
 
+#include "core/base/error.hpp"
 #include "materials/register.hpp"
 #include "nonlocal/register.hpp"
 #include "shapefunctions/register.hpp"
 
+#include <cstdlib>
+#include <sstream>
+
 namespace riedel {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders of RIEDEL_PLUGIN_PATH, separated by colons.
+std::vector<fs::path> plugin_folders() {
+  std::vector<fs::path> folders;
+  const char* const path = std::getenv("RIEDEL_PLUGIN_PATH");
+  std::istringstream stream(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(stream, folder, ':');)
+    if (!folder.empty()) folders.emplace_back(folder);
+  return folders;
+}
+
+/// By name, so that the catalogue is the same everywhere.
+std::vector<fs::path> libraries_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".so") found.push_back(entry.path());
+  if (error) throw PluginError("RIEDEL_PLUGIN_PATH: " + folder.string() + ": " + error.message());
+  std::ranges::sort(found);
+  return found;
+}
+
+fs::path found_in_folders(const std::string& name) {
+  const fs::path path(name);
+  if (path.has_parent_path() || fs::exists(path)) return path;
+  for (const fs::path& folder : plugin_folders())
+    if (fs::exists(folder / path)) return folder / path;
+  return path;
+}
+
+/// A library that is named twice brings its entries once.
+void add(Inventory& all, const fs::path& path) {
+  std::error_code error;
+  for (const LoadedPlugin& loaded : all.plugins)
+    if (fs::equivalent(loaded.path, path, error)) return;
+  all.plugins.push_back(load_plugin(path, all.catalogue));
+}
+
+} // namespace
 
 Catalogue full_catalogue() {
   Catalogue catalogue;
@@ -14,6 +61,30 @@ Catalogue full_catalogue() {
   register_nonlocal(catalogue.in_3d);
   register_materials(catalogue.materials);
   return catalogue;
+}
+
+Inventory inventory(const std::vector<std::string>& named) {
+  Inventory all{.catalogue = full_catalogue(), .plugins = {}};
+  for (const fs::path& folder : plugin_folders())
+    for (const fs::path& path : libraries_in(folder)) add(all, path);
+  for (const std::string& name : named) add(all, found_in_folders(name));
+  return all;
+}
+
+Inventory inventory(const CaseFile& given) {
+  Inventory all = inventory();
+  for (const std::string key : {"material.plugin", "interpolation.plugin", "nonlocal.plugin"}) {
+    const std::string name = given.peek_text(key).value_or("");
+    if (name.empty()) continue;
+    try {
+      add(all, found_in_folders(name));
+    } catch (const PluginError& error) { throw PluginError(given.place(key) + ": " + error.what()); }
+  }
+  return all;
+}
+
+Key plugin_key(const std::string& section, const std::string& what) {
+  return {section + ".plugin", std::string(), "", {}, "shared library that brings " + what + "; empty: none"};
 }
 
 } // namespace riedel

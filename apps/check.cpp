@@ -13,12 +13,12 @@ namespace riedel {
 /// `riedel check`: all errors at once, or the case with every key in force. What it prints is a case itself. A case
 /// that names a test is one of `riedel element`.
 int check(const Arguments& arguments) {
-  const Catalogue catalogue = full_catalogue();
+  const CaseFile given = arguments.case_file();
+  const Catalogue catalogue = inventory(given).catalogue;
   if (arguments.has("reference")) {
     std::cout << input_reference(catalogue);
     return 0;
   }
-  const CaseFile given = arguments.case_file();
   const auto test = test_of(given);
   if (arguments.has("schema")) {
     std::cout << (test ? element_schema(catalogue, *test) : biaxial_schema(catalogue));

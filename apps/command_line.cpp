@@ -123,6 +123,10 @@ Options case_options() {
   return {{"set", "KEY=VALUE", "set a key of the case, such as --set grid.cells=[16,56]; may be repeated"}};
 }
 
+Option plugin_option() {
+  return {"plugin", "FILE.so", "load a plug-in, beside those in the folders of RIEDEL_PLUGIN_PATH; may be repeated"};
+}
+
 Options run_options(const std::string& folder) {
   Options options = case_options();
   options.push_back({"out", "DIR", "folder for the results; default: " + folder});
@@ -185,6 +189,7 @@ Examples
   riedel check > case.toml                              a case file with every key, to edit
   riedel biaxial case.toml --out results/mine           and to run
   riedel element triaxial --set specimen.void_ratio=0.7 an element test: oedometer, triaxial, shear, biaxial
+  riedel biaxial --set material.plugin=mine.so --set material.model=mine    a law of one's own
 
 'riedel COMMAND --help' tells more of each command; 'riedel --version' prints the version. The paper is
 Krzyżanowski, Wójcik and Tejchman (2020).

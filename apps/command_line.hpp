@@ -39,6 +39,7 @@ struct Option {
 };
 using Options = std::vector<Option>;
 Options case_options(); ///< --set
+Option plugin_option(); ///< --plugin
 /// --set, --out, --threads, --force
 /// @param folder that holds the results when there is no --out
 Options run_options(const std::string& folder);

@@ -48,7 +48,8 @@ Options verify_options() {
           {"points", "N", "in a cell along each axis; default: the problem's own number, mostly 2"},
           {"out", "DIR", "folder for tables, numbers and pictures; default: results/verify"},
           {"document", "FILE.md", "put the tables between <!-- riedel verify --> and <!-- riedel verify ends -->"},
-          {"force", "", "write over the results that the folder holds"}};
+          {"force", "", "write over the results that the folder holds"},
+          plugin_option()};
 }
 
 std::string verify_help() {
@@ -65,6 +66,17 @@ Examples
   riedel verify
   riedel verify --schemes gimp,cpdi --problems bar,vortex --out results/two
 )";
+}
+
+std::string umat_check_help() {
+  return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
+check.strain are the start and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its answer
+depends on the frame, or if it fails.
+
+Example
+  riedel umat-check build/mine.so --set material.parameters=[1e8,0.3] --set check.stress=[0,0,0,0,0,0]
+
+)" + keys_help(umat_check_keys());
 }
 
 std::string bench_help() {
@@ -99,12 +111,15 @@ const std::vector<Command>& commands() {
        "[schemes|materials|searches|averagers|plugins]",
        "What can be named in a case, with parameters and units.",
        1,
-       {},
+       {plugin_option()},
        list},
       {"bench", "[options]", "Nanoseconds per point and step, by phase; what peers reach; what the machine can do.", 0,
        bench_options(), bench, bench_help},
       {"verify", "[options]", "Problems with known answers under every scheme: errors, orders of convergence, cost.", 0,
        verify_options(), verify, verify_help},
+      {"umat-check", "LIB.so [CASE.toml] [options]",
+       "What a UMAT does: turned, in smaller steps, its DDSDDE against difference quotients.", 2, case_options(),
+       umat_check, umat_check_help},
   };
   return all;
 }

@@ -143,8 +143,8 @@ void print_files(const std::filesystem::path& folder, bool several, const std::v
 } // namespace
 
 int element(const Arguments& arguments) {
-  const Catalogue catalogue = full_catalogue();
   const std::string test = test_named(arguments);
+  const Catalogue catalogue = inventory(given_file(arguments, test)).catalogue;
   const std::filesystem::path folder = arguments.out("results/element/" + test);
   const std::vector<Run> runs = runs_of(arguments, test, catalogue, folder);
   std::optional<Overlay> overlay;

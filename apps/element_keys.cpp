@@ -197,6 +197,7 @@ CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
   if (wish == "path") append(keys, path_keys(given));
   CheckedCase checked =
       checked_case(given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); });
+  try_material(given, checked.values, catalogue);
   // A measure that a stage leaves free is no condition: nothing to write down.
   std::erase_if(checked.keys, [&](const Key& key) {
     return key.name.starts_with("stage.") && checked.values.at(key.name) == Value(std::string(free_word));

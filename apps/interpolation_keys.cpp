@@ -1,11 +1,13 @@
 #include "apps/interpolation_keys.hpp"
 
+#include "apps/catalogue.hpp"
+
 #include <algorithm>
 
 namespace riedel {
 
 Keys interpolation_keys(const Catalogue& catalogue) {
-  Keys keys;
+  Keys keys{plugin_key("interpolation", "the scheme")};
   for (const auto& scheme : catalogue.in_2d.schemes.entries())
     for (Key key : scheme.description.parameters) {
       key.name = "interpolation." + key.name;
@@ -21,7 +23,9 @@ void check_interpolation(const Values& values, const Catalogue& catalogue, std::
   };
   for (const Key& key : interpolation_keys(catalogue)) {
     const std::string option = key.name.substr(key.name.find('.') + 1);
-    if (values.at(key.name) == key.default_value || takes(catalogue.in_2d.schemes.find(scheme), option)) continue;
+    if (option == "plugin" || values.at(key.name) == key.default_value ||
+        takes(catalogue.in_2d.schemes.find(scheme), option))
+      continue;
     std::string others;
     for (const auto& entry : catalogue.in_2d.schemes.entries())
       if (takes(entry, option)) others += (others.empty() ? "" : ", ") + entry.description.name;

@@ -141,8 +141,8 @@ std::string input_reference(const Catalogue& catalogue) {
     const std::string section = section_of(*first);
     const auto last = std::find_if(first, keys.end(), [&](const Key& key) { return section_of(key) != section; });
     text += section.empty() ? "## Without a section\n\n" : "## `[" + section.substr(0, section.size() - 1) + "]`\n\n";
-    const bool is_material = section == "material."; // its first key is the model, the rest the law's
-    text += markdown_table(Keys(first, is_material ? first + 1 : last));
+    const bool is_material = section == "material."; // its first keys are model and plugin, the rest the law's
+    text += markdown_table(Keys(first, is_material ? first + 2 : last));
     if (is_material)
       for (const auto& law : laws) text += law_section(law.description);
     first = last;

@@ -22,17 +22,26 @@ std::string entries(std::string_view title, const Registry<Make>& registry) {
   return text;
 }
 
+std::string loaded(const std::vector<LoadedPlugin>& plugins) {
+  std::string text = "plugins\n";
+  for (const LoadedPlugin& plugin : plugins) {
+    text += "  " + plugin.path.string() + ", compiled by g++ " + plugin.compiler + "\n";
+    for (const std::string& entry : plugin.brings) text += "    " + entry + "\n";
+  }
+  return plugins.empty() ? text + "  none; RIEDEL_PLUGIN_PATH names folders to look into\n" : text;
+}
+
 } // namespace
 
 /// `riedel list`: what can be named in a case.
 int list(const Arguments& arguments) {
-  const Catalogue catalogue = full_catalogue();
+  const auto [catalogue, plugins] = inventory(arguments.list("plugin", {}));
   const std::vector<std::pair<std::string, std::string>> groups{
       {"schemes", entries("schemes", catalogue.in_2d.schemes)},
       {"materials", entries("materials", catalogue.materials)},
       {"searches", entries("searches", catalogue.in_2d.searches)},
       {"averagers", entries("averagers", catalogue.in_2d.averagers)},
-      {"plugins", "plugins\n  none\n"}};
+      {"plugins", loaded(plugins)}};
   const std::string wish = arguments.words.empty() ? "" : arguments.words.front();
   std::vector<std::string> names;
   for (const auto& [name, text] : groups) names.push_back(name);

@@ -1,5 +1,6 @@
 #include "apps/material_keys.hpp"
 
+#include "apps/catalogue.hpp"
 #include "apps/checked_case.hpp"
 
 #include <algorithm>
@@ -31,9 +32,16 @@ std::string model_of(const CaseFile& given) {
 void append_material(Keys& keys, const Catalogue& catalogue, std::string_view model) {
   keys.push_back(
       {"material.model", std::string(paper_model), "", {}, "law of the material", catalogue.materials.names()});
+  keys.push_back(plugin_key("material", "the law"));
   const bool known = catalogue.materials.known(model);
   for (const auto& law : catalogue.materials.entries())
     if (!known || law.description.name == model) append_parameters(keys, law.description);
+}
+
+void try_material(const CaseFile& given, const Values& values, const Catalogue& catalogue) {
+  if (values.has("material.library") && values.text("material.library").empty())
+    throw InputError(given.place("material.library") + ": names no library; allowed: the path of one with a UMAT");
+  static_cast<void>(catalogue.materials.find(values.text("material.model")).make(values.section("material")));
 }
 
 double cohesion_pressure(const Values& v) {

@@ -17,6 +17,10 @@ std::string model_of(const CaseFile& given);
 void append_material(Keys& keys, const Catalogue& catalogue, std::string_view model);
 void append(Keys& keys, const Keys& more);
 
+/// Makes the law, so that values that do not fit together, and libraries that cannot be used, are told before anything
+/// is written. @throws InputError, PluginError
+void try_material(const CaseFile& given, const Values& values, const Catalogue& catalogue);
+
 /// e_d0 < e_c0 < e_i0, of laws that have such parameters.
 void check_limits_of_void_ratio(const Values& values, std::vector<Finding>& errors);
 /// A mean pressure p [Pa], the key that gives it, and what messages call it.

@@ -1,4 +1,5 @@
 #include "apps/biaxial_keys.hpp"
+#include "apps/catalogue.hpp"
 #include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
 #include "apps/path_keys.hpp"
@@ -41,7 +42,9 @@ struct TypeOf {
   }
   template <class Number>
   Json operator()(const std::vector<Number>& list) const {
-    return {{"type", "array"}, {"items", (*this)(Number{})}, {"minItems", list.size()}, {"maxItems", list.size()}};
+    Json schema{{"type", "array"}, {"items", (*this)(Number{})}};
+    if (!key.any_length) schema.update({{"minItems", list.size()}, {"maxItems", list.size()}});
+    return schema;
   }
 };
 
@@ -60,6 +63,7 @@ Json material_schema(const Description& law) {
   schema["title"] = law.name;
   schema["properties"]["model"] = {{"const", law.name}, {"description", law.summary}};
   if (law.name != paper_model) schema["required"] = {"model"};
+  schema["properties"]["plugin"] = property(plugin_key("material", "the law"));
   for (const Key& key : law.parameters) schema["properties"][key.name] = property(key);
   return schema;
 }

@@ -67,7 +67,7 @@ void write_results(const Studies& studies, const std::filesystem::path& folder) 
 } // namespace
 
 int verify(const Arguments& arguments) {
-  const Catalogue catalogue = full_catalogue();
+  const Catalogue catalogue = inventory(arguments.list("plugin", {})).catalogue;
   const Names all_schemes = catalogue.in_2d.schemes.names(), all_problems = problem_names();
   const Names schemes = arguments.names("schemes", all_schemes, all_schemes);
   const Names problems = arguments.names("problems", all_problems, all_problems);

@@ -6,6 +6,7 @@
 #include "materials/linear_elastic.hpp"
 #include "materials/mohr_coulomb.hpp"
 #include "materials/neo_hookean.hpp"
+#include "materials/umat.hpp"
 #include "materials/von_wolffersdorff.hpp"
 
 namespace riedel {
@@ -51,6 +52,7 @@ void register_materials(Materials& materials) {
   add<MohrCoulomb>(materials, "elastic, with friction and cohesion; softening local or by averaged plastic_strain",
                    "Clausen, Damkilde & Andersen (2006), de Souza Neto, Perić & Owen (2008)");
   add<DruckerPrager>(materials, "the same on a smooth cone", "Drucker & Prager (1952)");
+  add<Umat>(materials, "a user's subroutine UMAT, written for Abaqus, in a shared library", "");
 }
 
 } // namespace riedel

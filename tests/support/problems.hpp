@@ -14,6 +14,13 @@ inline const Catalogue& catalogue() {
   return all;
 }
 
+/// Of the laws that run with their defaults: a UMAT needs a library; those in tests/plugin have one.
+inline std::vector<std::string> law_names() {
+  std::vector<std::string> names = catalogue().materials.names();
+  std::erase(names, "umat");
+  return names;
+}
+
 inline std::shared_ptr<const Material> material(const std::string& name, std::map<std::string, Value> with = {}) {
   const auto& entry = catalogue().materials.find(name);
   Values values(entry.description.parameters);

@@ -118,7 +118,7 @@ TEST_P(ObjectivityTest, TurnsTheStressOfABlockInRigidRotation) {
   stress_turns<3>(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryLaw, ObjectivityTest, testing::ValuesIn(catalogue().materials.names()),
+INSTANTIATE_TEST_SUITE_P(EveryLaw, ObjectivityTest, testing::ValuesIn(law_names()),
                          [](const auto& tested) { return tested.param; });
 
 template <int Dim>

@@ -1,0 +1,81 @@
+/// riedel umat-check: what a UMAT does, before it is trusted in a run.
+#include "apps/bench_table.hpp"
+#include "apps/checked_case.hpp"
+#include "apps/commands.hpp"
+#include "apps/material_keys.hpp"
+#include "apps/umat_probe.hpp"
+#include "core/base/error.hpp"
+#include "materials/umat.hpp"
+
+#include <iostream>
+
+namespace riedel {
+
+Keys umat_check_keys() {
+  Keys keys;
+  for (Key key : Umat::parameters()) {
+    key.name = "material." + key.name;
+    keys.push_back(std::move(key));
+  }
+  const std::vector<double> stress{-100e3, -100e3, -100e3, 0, 0, 0}, strain{-1e-4, 3e-5, 2e-5, 2e-5, 0, 0};
+  keys.push_back({"check.stress", stress, "Pa", {}, "11, 22, 33, 12, 13, 23 at the start"});
+  keys.push_back({"check.strain", strain, "-", {}, "increment of strain, engineering shear"});
+  keys.push_back({"check.tolerance", 1e-8, "-", more_than(0), "of the stress under rotations, relative"});
+  return keys;
+}
+
+namespace {
+
+std::string text_of(double x) { return short_text(x, 3); }
+
+/// A line of the report: what was looked at, what was found, what it means.
+using Line = Row;
+
+Line rotation_line(const UmatProbe& probe, double tolerance, bool& good) {
+  const double error = probe.rotation_error();
+  good = good && error <= tolerance;
+  return {"turned by six rotations, stress turns along", text_of(error),
+          error <= tolerance ? "good" : "BAD: the answer depends on the frame; is a tensor state not declared?"};
+}
+
+std::vector<Line> halving_lines(const UmatProbe& probe) {
+  const std::vector<double> errors = probe.halving_errors();
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    lines.push_back({"in " + std::to_string(1 << i) + " steps against " + std::to_string(1 << errors.size()),
+                     text_of(errors[i]), ""});
+  const double order = std::log2(errors.front() / errors[1]);
+  lines.front().back() =
+      errors.front() < 1e-12 ? "the path does not matter" : "order " + text_of(order) + " in the size of the step";
+  return lines;
+}
+
+Line stiffness_line(const UmatProbe& probe) {
+  const double error = probe.stiffness_error();
+  return {"DDSDDE against difference quotients", text_of(error),
+          error < 1e-4 ? "the tangent of the step"
+                       : "not the tangent; enough for the wave speed if it is a stiffness in Pa"};
+}
+
+} // namespace
+
+int umat_check(const Arguments& arguments) {
+  if (arguments.words.empty()) throw InputError("riedel umat-check needs a library");
+  CaseFile given = arguments.case_file(1);
+  given.override_with("material.library=\"" + arguments.words.front() + "\"", "riedel umat-check:");
+  const Values values = given.validate(umat_check_keys());
+  const UmatProbe probe(values.section("material"), values.numbers("check.stress"), values.numbers("check.strain"));
+  bool good = true;
+  std::vector<Line> lines{{"wave speed from DDSDDE [m/s]", text_of(probe.wave_speed()), ""}};
+  lines.push_back({"no strain: change of stress", text_of(probe.idle_change()), ""});
+  lines.push_back(rotation_line(probe, values.number("check.tolerance"), good));
+  for (Line& line : halving_lines(probe)) lines.push_back(std::move(line));
+  lines.push_back(stiffness_line(probe));
+  lines.push_back({"a second copy of the library", text_of(probe.copy_difference()), "for a second thread"});
+  lines.push_back({"nanoseconds per call", text_of(probe.nanoseconds()), ""});
+  std::cout << markdown_table({"what", "found", ""}, lines, 1);
+  if (!good) throw RunError("the UMAT did not pass; see the table");
+  return 0;
+}
+
+} // namespace riedel

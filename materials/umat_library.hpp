@@ -1,0 +1,81 @@
+/// A user's subroutine UMAT, as Abaqus calls it, in a shared library.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace riedel {
+
+/// Arguments in their order. Tensors: 11, 22, 33, 12, 13, 23, strains with engineering shear; matrices by columns. The
+/// length of CMNAME is hidden behind the others, as gfortran (8 and later) and ifx pass it; C and C++ may leave it out.
+using UmatFunction = void (*)(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,
+                              double* rpl, double* ddsddt, double* drplde, double* drpldt, const double* stran,
+                              const double* dstran, const double* time, const double* dtime, const double* temp,
+                              const double* dtemp, const double* predef, const double* dpred, const char* cmname,
+                              const int* ndi, const int* nshr, const int* ntens, const int* nstatv, const double* props,
+                              const int* nprops, const double* coords, const double* drot, double* pnewdt,
+                              const double* celent, const double* dfgrd0, const double* dfgrd1, const int* noel,
+                              const int* npt, const int* layer, const int* kspt, const int* kstep, const int* kinc,
+                              std::size_t cmname_length);
+
+/// One call: what goes in and what comes out.
+struct UmatCall {
+  std::array<double, 6> stress{}, strain{}, strain_increment{};
+  double* state = nullptr;
+  std::array<double, 36> stiffness{}; ///< DDSDDE
+  std::array<double, 2> time{};       ///< of the step, in all [s]
+  double time_step = 0.0;             ///< [s]
+  double field_increment = 0.0;       ///< DPRED(1)
+  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 9> motion_before{1, 0, 0, 0, 1, 0, 0, 0, 1}, motion_after{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  double length = 1.0;           ///< CELENT [m]
+  double time_step_factor = 1.0; ///< PNEWDT
+  int point = 1, increment = 1;
+};
+
+enum class UmatEnd { returned, xit, threw };
+
+/// The library, once, or a copy of it for every call that is under way at the same time: COMMON blocks and SAVE make
+/// one copy unsafe for two threads.
+class UmatLibrary {
+public:
+  /// @param symbol `umat_` from Fortran   @throws PluginError: no such file, not loadable, without the symbol
+  UmatLibrary(std::filesystem::path path, std::string symbol, bool thread_safe);
+
+  /// The right to call a copy.
+  class Lease {
+  public:
+    Lease(UmatLibrary& owner, UmatFunction leased) : owner_(owner), function_(leased) {}
+    ~Lease() { owner_.give_back(function_); }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+
+    /// XIT, which ends Abaqus, ends the call.
+    UmatEnd run(UmatCall& call, const std::vector<double>& parameters, int states, const std::string& name) const;
+
+    [[nodiscard]] UmatFunction function() const { return function_; }
+
+  private:
+    UmatLibrary& owner_;
+    UmatFunction function_;
+  };
+  /// @throws PluginError when another copy is needed and cannot be made
+  Lease lease();
+
+private:
+  UmatFunction loaded(const std::filesystem::path& path) const;
+  UmatFunction copy() const;
+  void give_back(UmatFunction function);
+
+  std::filesystem::path path_;
+  std::string symbol_;
+  bool thread_safe_;
+  std::mutex mutex_;
+  std::vector<UmatFunction> free_; ///< copies that nobody calls
+};
+
+} // namespace riedel
