@@ -62,7 +62,7 @@ TEST(BiaxialKeys, TheLawDecidesWhichParametersThereAre) {
                 .values.number("material.youngs_modulus"),
             20e6);
   EXPECT_THAT(errors({"material.model=linear_elastic", "material.phi_c=30"}),
-              HasSubstr("unknown key; [material] takes model, youngs_modulus"));
+              HasSubstr("unknown key; [material] takes model, plugin, youngs_modulus"));
 }
 
 TEST(BiaxialKeys, AnUnknownLawIsTheOnlyErrorAndListsTheKnownOnes) {
