@@ -143,6 +143,23 @@ TEST(PluginInTheProgram, IsFoundInTheFoldersOfThePath) {
   EXPECT_THAT(missing.err, HasSubstr("RIEDEL_PLUGIN_PATH: /no/such/folder"));
 }
 
+/// Searched pair by pair, averaged without weights: other numbers, found by the plug-in's own classes.
+TEST(PluginInTheProgram, SearchesAndAveragesInItsOwnWay) {
+  const TemporaryFolder folder;
+  const auto angles = [&](const std::string& name, const Words& more) {
+    Words words = coarse_case(folder / name, {"--set", "nonlocal.plugin=" + library("neighbours"), "--set",
+                                              "output.vtk=false", "--set", "output.plots=false"});
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder, words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_table(folder / name / "history.csv")["phi_mob_deg"];
+  };
+  const auto built_in = angles("built_in", {});
+  EXPECT_EQ(angles("searched", {"--set", "nonlocal.search=pair_by_pair"}), built_in);
+  EXPECT_NE(angles("averaged", {"--set", "nonlocal.search=pair_by_pair", "--set", "nonlocal.averager=plain"}),
+            built_in);
+}
+
 TEST(InstalledProgram, RunsAnElementTestWithAPlugin) {
   const TemporaryFolder folder;
   const std::string command = INSTALLED "/bin/riedel element oedometer --set material.plugin=" + example("hooke") +

@@ -142,7 +142,8 @@ TEST(Umat, ThatCallsXitEndsTheRunAndLeavesItsSummary) {
       run(folder, coarse_case(folder / "out", {"--set", "material.model=umat", "--set",
                                                "material.library=" + library("umat_1"), "--set", "nonlocal.length=0"}));
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the UMAT called XIT"), HasSubstr("first at point"), HasSubstr("step ")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("the UMAT called XIT; stress (-"), HasSubstr("umat_strain"),
+                                 HasSubstr("first at point"), HasSubstr("step ")));
   EXPECT_THAT(file_content(folder / "out" / "summary.json"), HasSubstr("\"failed\""));
 }
 
@@ -156,6 +157,16 @@ TEST(Umat, TurnsItsTensorStatesAndKeepsTheirEngineeringShear) {
   for (std::size_t s = 0; s < start.size(); ++s) bench.state[static_cast<int>(s)][0] = start[s];
   EXPECT_NEAR(bench.tensor_of("h", 0).m[3], std::numbers::sqrt2, 1e-15) << "a tensor component of 1";
   EXPECT_EQ(bench.state[6][0], 7.0);
+}
+
+/// A UMAT that sums the strain up and does not turn the sum.
+TEST(Umat, PassesTheCheckIfItsTensorStateIsDeclaredAndFailsItOtherwise) {
+  const TemporaryFolder folder;
+  const Words words{"umat-check", library("umat_4"), "--set", "material.state=[1e-3,2e-3,-1e-3,1e-3,0,5e-4]"};
+  EXPECT_EQ(run(folder, joined(words, {"--set", "material.state_names=h:strain"})).code, 0);
+  const Outcome outcome = run(folder, words);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.out, HasSubstr("BAD: the answer depends on the frame"));
 }
 
 TEST(Umat, RefusesStatesThatDoNotFitTheirNames) {

@@ -37,4 +37,5 @@ struct Fails final : Bad {
 
 } // namespace
 
-RIEDEL_PLUGIN(riedel::material<Throws>, riedel::material<Crashes>, riedel::material<NotANumber>, riedel::material<Fails>)
+RIEDEL_PLUGIN(riedel::material<Throws>, riedel::material<Crashes>, riedel::material<NotANumber>,
+              riedel::material<Fails>)

@@ -1,0 +1,61 @@
+/// The commands of the pages for plug-in authors, as they stand there, with short runs.
+#include "plugin/plugins.hpp"
+
+#include <sstream>
+
+namespace riedel::test {
+namespace {
+
+/// Lines of a page's shell blocks that start the program, with continued lines joined.
+std::vector<std::string> program_lines(const std::string& page) {
+  std::istringstream text(file_content(SOURCE_DIR "/docs/howto/" + page));
+  std::vector<std::string> lines;
+  bool shell = false, continued = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) shell = line == "```sh";
+    if (!shell) continue;
+    const std::string before = continued ? lines.back() : "";
+    if (!continued && !line.starts_with("riedel ")) continue;
+    if (continued) lines.pop_back();
+    continued = line.ends_with('\\');
+    lines.push_back(before + (continued ? line.substr(0, line.size() - 1) : line));
+  }
+  return lines;
+}
+
+/// What makes a command quick, behind what the page says.
+std::string shortened(const std::string& line) {
+  std::string quick = std::string(RIEDEL_PROGRAM) + line.substr(std::string("riedel").size());
+  if (line.starts_with("riedel biaxial"))
+    quick +=
+        " --set grid.cells=[8,28] --set loading.final_strain=0.0005 --set loading.speed=0.4 --set output.vtk=false "
+        "--set output.plots=false --force";
+  if (line.starts_with("riedel biaxial") && line.find("nonlocal.length") == std::string::npos)
+    quick += " --set nonlocal.length=5e-3";
+  if (line.starts_with("riedel element")) quick += " --set output.plots=false --set loading.final_strain=0.01 --force";
+  if (line.starts_with("riedel verify")) quick += " --problems bar --force";
+  if (line.starts_with("riedel bench")) quick += " --points 500 --repeats 1 --seconds 0.001";
+  return quick;
+}
+
+class Howto : public testing::TestWithParam<std::string> {};
+
+TEST_P(Howto, HasCommandsThatRun) {
+  const bool fortran = std::filesystem::exists(example("elastic_umat"));
+  if (!fortran && GetParam() == "use_a_umat.md") GTEST_SKIP() << "no Fortran compiler was found";
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(PLUGINS "/examples", folder / "build");
+  if (fortran) std::filesystem::copy_file(example("elastic_umat"), folder / "mine.so");
+  const std::vector<std::string> lines = program_lines(GetParam());
+  EXPECT_GE(lines.size(), 2U);
+  for (const std::string& line : lines) {
+    const std::string command = "cd " + folder.path().string() + " && " + shortened(line) + " >log 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << line << "\n" << file_content(folder / "log");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pages, Howto, testing::Values("write_a_material.md", "write_a_scheme.md", "use_a_umat.md"),
+                         [](const auto& tested) { return tested.param.substr(0, tested.param.size() - 3); });
+
+} // namespace
+} // namespace riedel::test
