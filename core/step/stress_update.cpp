@@ -1,6 +1,7 @@
 #include "core/step/stress_update.hpp"
 
 #include "core/base/parallel.hpp"
+#include "core/step/law_failure.hpp"
 #include "core/step/polar_rotation.hpp"
 
 #include <numbers>
@@ -106,6 +107,15 @@ public:
     });
   }
 
+  void fail_where_not_finite(MaterialReport& report) const {
+    for (Index p = range_.begin; p < range_.end; ++p)
+      for (int c = 0; c < 6; ++c)
+        if (!std::isfinite(points_.stress[c][p])) {
+          report.fail(p - range_.begin, "it returned a stress that is not finite");
+          break;
+        }
+  }
+
 private:
   void follow_motion() {
     for (int i = 0; i < 3; ++i)
@@ -170,8 +180,10 @@ StressShare update_range(Body<Dim>& body, Range whole, const double* averaged, d
     MaterialReport report;
     const double before = block.template rotate_and_fill_rates<objective>();
     body.material->integrate(block.batch(), report);
+    const double after = block.power();
+    if (!std::isfinite(after)) block.fail_where_not_finite(report);
     share.report.add(report, b);
-    share.work += 0.5 * dt * (before + block.power());
+    share.work += 0.5 * dt * (before + after);
   }
   return share;
 }
@@ -188,32 +200,6 @@ const double* average(State<Dim>& state, Body<Dim>& body) {
   const PhaseClock::Lap lap(state.clock, Phase::averaging);
   body.averager->average(points.volume[0], field, points.averaged[0]);
   return points.averaged[0];
-}
-
-/// Stress and state of a point, for messages.
-template <int Dim>
-std::string condition_of(const Body<Dim>& body, Index p) {
-  std::string text = "stress (";
-  for (int c = 0; c < 6; ++c) // Mandel's shear components are √2 times the tensor's
-    text += (c ? ", " : "") + short_text(body.points.stress[c][p] * (c < 3 ? 1.0 : std::numbers::sqrt2 / 2));
-  text += ") Pa";
-  int column = 0;
-  for (const StateVariable& variable : body.material->states()) {
-    text += ", " + variable.name;
-    for (int c = 0; c < variable.components; ++c) text += " " + short_text(body.points.state[column++][p]);
-  }
-  return text;
-}
-
-template <int Dim>
-[[noreturn]] void report_failure(const State<Dim>& state, const Body<Dim>& body, const MaterialReport& report) {
-  const Index p = report.first_failure;
-  std::string where;
-  for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(body.points.position[a][p]);
-  throw RunError("the law failed at " + std::to_string(report.failures) + " point(s) of '" + body.name +
-                 "', first at point " + std::to_string(body.points.id[p]) + " at (" + where +
-                 ") m: " + std::string(report.reason) + "; " + condition_of(body, p) + "; step " +
-                 std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
 }
 
 } // namespace

@@ -81,7 +81,8 @@ TEST(BadPlugin, WhoseLawReturnsNanEndsTheRun) {
   const TemporaryFolder folder;
   const Outcome outcome = run_with(folder, "not_a_number");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("step"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("it returned a stress that is not finite; stress (nan"),
+                                 HasSubstr("first at point 0"), HasSubstr("step 0")));
   EXPECT_THAT(file_content(folder / "out" / "summary.json"), HasSubstr("\"failed\""));
 }
 

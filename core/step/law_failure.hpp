@@ -1,0 +1,36 @@
+/// What a run says when its law fails at a point.
+#pragma once
+
+#include "core/step/state.hpp"
+
+#include <numbers>
+
+namespace riedel {
+
+/// Stress and state of a point, for messages.
+template <int Dim>
+std::string condition_of(const Body<Dim>& body, Index p) {
+  std::string text = "stress (";
+  for (int c = 0; c < 6; ++c) // Mandel's shear components are √2 times the tensor's
+    text += (c ? ", " : "") + short_text(body.points.stress[c][p] * (c < 3 ? 1.0 : std::numbers::sqrt2 / 2));
+  text += ") Pa";
+  int column = 0;
+  for (const StateVariable& variable : body.material->states()) {
+    text += ", " + variable.name;
+    for (int c = 0; c < variable.components; ++c) text += " " + short_text(body.points.state[column++][p]);
+  }
+  return text;
+}
+
+template <int Dim>
+[[noreturn]] void report_failure(const State<Dim>& state, const Body<Dim>& body, const MaterialReport& report) {
+  const Index p = report.first_failure;
+  std::string where;
+  for (int a = 0; a < Dim; ++a) where += (a ? ", " : "") + exact_text(body.points.position[a][p]);
+  throw RunError("the law failed at " + std::to_string(report.failures) + " point(s) of '" + body.name +
+                 "', first at point " + std::to_string(body.points.id[p]) + " at (" + where +
+                 ") m: " + std::string(report.reason) + "; " + condition_of(body, p) + "; step " +
+                 std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
+}
+
+} // namespace riedel
