@@ -139,7 +139,7 @@ int run_case(const Values& values, const Catalogue& catalogue, const std::filesy
 } // namespace
 
 int biaxial(const Arguments& arguments) {
-  const CaseFile file = arguments.case_file();
+  const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
   const Catalogue catalogue = inventory(file).catalogue;
   const CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& warning : given.warnings) print_warning(warning);

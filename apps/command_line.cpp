@@ -53,6 +53,17 @@ std::string wrong_value_text(const Command& command, const po::error_with_option
   return error.what() + hint(command);
 }
 
+/// What the user typed, with quotes where a shell needs them.
+std::string typed(const Command& command, const Texts& words) {
+  std::string line = "riedel " + command.name;
+  for (const std::string& word : words) {
+    const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
+    const char quote = word.find('\'') == std::string::npos ? '\'' : '"';
+    line += " " + (plain ? word : quote + word + quote);
+  }
+  return line;
+}
+
 } // namespace
 
 std::optional<std::string> Arguments::text(std::string_view option) const {
@@ -139,7 +150,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
   Options options = command.options;
   options.push_back({"help", "", ""});
   const po::options_description known = described(options);
-  Arguments arguments;
+  Arguments arguments{.command = typed(command, words), .words = {}, .options = {}};
   try {
     namespace style = po::command_line_style;
     const auto parsed =

@@ -68,6 +68,37 @@ Examples
 )";
 }
 
+Options compare_options() {
+  Options options = case_options();
+  options.push_back({"schemes", "A,B", "interpolation schemes; 'all' stands for every one there is"});
+  options.push_back({"vary", "KEY=A,B", "values of a key; may be repeated: all lists are crossed"});
+  options.push_back({"out", "DIR", "folder of the campaign; default: results/ and the name of the case file"});
+  options.push_back({"threads", "N", "of all runs together; default: all of the machine"});
+  options.push_back({"dry-run", "", "list the runs, with their shares of the work, and start none"});
+  options.push_back({"script", "KIND", "start none, and write a script for elsewhere: slurm or parallel"});
+  options.push_back({"force", "", "remove the campaign that the folder holds, with its runs"});
+  return options;
+}
+
+std::string compare_help() {
+  return R"(Every combination is a run of the biaxial test in a folder of its own. A run that fails, or cannot begin, is a row
+that says so. A campaign that was stopped, or killed, goes on when the same command is given again. results.csv has a
+row for each run, with every figure of its summary.json; report.html shows curves, fields and tables in a browser.
+
+A case file can say what is to be varied, and still is a case of 'riedel biaxial':
+
+  [compare]
+  title = "Mesh and length"
+  schemes = ["gimp", "cpdi"]
+  vary = ["grid.cells=[16,56],[24,84]", "nonlocal.length=0,1.5e-3"]
+
+Examples
+  riedel compare --schemes gimp,cpdi --vary nonlocal.length=0,1.5mm --dry-run
+  riedel compare mine.toml --schemes all --out results/schemes
+  riedel compare mine.toml --schemes all --script slurm     then sbatch, and at last: riedel collect results/mine
+)";
+}
+
 std::string umat_check_help() {
   return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
 check.strain are the start and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its answer
@@ -104,6 +135,10 @@ const std::vector<Command>& commands() {
       {"element", "TEST [CASE.toml] [options]",
        "Element tests: oedometer, triaxial, shear, biaxial, or a path of one's own.", 2, element_options(), element,
        element_help},
+      {"compare", "[CASE.toml] [options]",
+       "The same case under many schemes and settings, several at once, with a report.", 1, compare_options(), compare,
+       compare_help},
+      {"collect", "DIR", "The results of a campaign that was run by script, or not to its end.", 1, {}, collect},
       {"check", "[CASE.toml] [options]",
        "Checks a case, tells all errors at once, or prints it with every key in force.", 1, check_options(), check,
        biaxial_keys_help},

@@ -11,6 +11,8 @@ int list(const Arguments& arguments);
 int check(const Arguments& arguments);
 int bench(const Arguments& arguments);
 int verify(const Arguments& arguments);
+int compare(const Arguments& arguments);
+int collect(const Arguments& arguments);
 int umat_check(const Arguments& arguments);
 
 /// The keys of `riedel umat-check`.

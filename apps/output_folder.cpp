@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void refuse_results(const fs::path& folder) {
-  for (const char* result : {"case.toml", "history.csv", "element.csv", "verify.csv", "summary.json"})
+  for (const char* result : {"case.toml", "history.csv", "element.csv", "verify.csv", "campaign.json", "summary.json"})
     if (fs::exists(folder / result))
       throw InputError("--out " + folder.string() + ": holds results already (" + result +
                        "); choose another folder, or --force to write over them");

@@ -5,15 +5,32 @@
 
 namespace riedel {
 
+/// A key and one of its values, as TOML or as a bare word.
+using Setting = std::pair<std::string, std::string>;
+
 /// A case with some keys set.
 struct Variant {
   CaseFile given;
-  std::string name;  ///< of its folder, such as "void_ratio=0.6"; empty when nothing is varied
-  std::string label; ///< for a legend, such as "void_ratio = 0.6"
+  std::string name;                   ///< of its folder, such as "void_ratio=0.6"; empty when nothing is varied
+  std::string label;                  ///< for a legend, such as "void_ratio = 0.6"
+  std::vector<Setting> settings = {}; ///< what was set, in the order of the wishes
 };
 
-/// @param wishes each "KEY=A,B,C" as TOML values (a list of lists for keys that are lists); several are crossed
-/// @throws InputError that says what a wish looks like
+/// A key with the values that it takes in turn.
+struct Variation {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+/// "KEY=A,B,C" taken apart; a comma in brackets or quotes parts nothing.
+/// @throws InputError that says what a wish looks like, or which value is empty or stands twice
+Variation variation_of(const std::string& wish);
+
+/// All values of all keys, crossed; the first key changes last. Keys are called by their last word where that tells
+/// them apart.
+std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variation>& variations);
+
+/// @param wishes each "KEY=A,B,C" @throws InputError, as variation_of does
 std::vector<Variant> variants_of(const CaseFile& given, const std::vector<std::string>& wishes);
 
 } // namespace riedel

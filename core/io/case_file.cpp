@@ -173,6 +173,32 @@ std::optional<std::string> CaseFile::peek_text(std::string_view key) const {
   return text == nullptr ? std::nullopt : std::optional(*text);
 }
 
+std::optional<std::vector<std::string>> CaseFile::peek_texts(std::string_view key) const {
+  const Given* given = find(key);
+  if (given == nullptr) return std::nullopt;
+  std::vector<std::string> texts;
+  for (const Scalar& item : given->items)
+    if (const auto* text = std::get_if<std::string>(&item)) texts.push_back(*text);
+  if (given->kind != Given::Kind::list || texts.size() != given->items.size())
+    throw InputError(given->place + ": is " + given->text + "; allowed: a list of texts, such as [\"a\", \"b\"]");
+  return texts;
+}
+
+std::vector<std::string> CaseFile::names_in(std::string_view section) const {
+  std::vector<std::string> names;
+  for (const Given& given : given_)
+    if (given.name.starts_with(std::string(section) + ".")) names.push_back(given.name);
+  return names;
+}
+
+CaseFile CaseFile::without(std::string_view section) const {
+  CaseFile rest = *this;
+  std::erase_if(rest.given_, [&](const Given& given) {
+    return given.name == section || given.name.starts_with(std::string(section) + ".");
+  });
+  return rest;
+}
+
 int CaseFile::count(std::string_view list) const {
   int most = 0;
   for (const Given& given : given_) {

@@ -34,6 +34,14 @@ public:
   /// The text given for a key, before validation: a law's name decides which parameters there are.
   [[nodiscard]] std::optional<std::string> peek_text(std::string_view key) const;
 
+  /// The texts of a list; none if the key is not given. @throws InputError, with the place, if it is something else
+  [[nodiscard]] std::optional<std::vector<std::string>> peek_texts(std::string_view key) const;
+
+  /// The keys that were given in a section, in their order.
+  [[nodiscard]] std::vector<std::string> names_in(std::string_view section) const;
+  /// The same case without them.
+  [[nodiscard]] CaseFile without(std::string_view section) const;
+
   /// Greatest number among the tables of an array: [[stage]] tables have the keys "stage.1.…", "stage.2.…", which may
   /// also be written as [stage.1] or --set stage.1.…; 0 when there are none.
   [[nodiscard]] int count(std::string_view list) const;

@@ -1,0 +1,163 @@
+#include "apps/campaign/carry_out.hpp"
+
+#include "apps/campaign/child_process.hpp"
+#include "core/base/error.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/progress.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <list>
+#include <thread>
+
+namespace riedel {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Did a run fail for want of space, which says nothing about the run itself?
+bool lacked_space(std::string_view message) {
+  return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG},
+                             [&](int error) { return message.find(std::strerror(error)) != std::string_view::npos; });
+}
+
+/// The last error among a run's messages, without the program's name; empty if there is none.
+std::string last_error(const std::string& messages) {
+  constexpr std::string_view mark = "riedel: error: ";
+  const std::size_t at = messages.rfind(mark);
+  if (at == std::string::npos) return "";
+  const std::size_t start = at + mark.size();
+  return messages.substr(start, messages.find('\n', start) - start);
+}
+
+std::string ending_text(int ending) {
+  if (ending < 0) return "ended by signal " + std::to_string(-ending) + " (" + strsignal(-ending) + ")";
+  return "ended with exit code " + std::to_string(ending) + " and without a result";
+}
+
+/// u/h0 of the last whole row of a history that is being written [-].
+double last_strain(const fs::path& history) {
+  constexpr std::streamoff tail = 1024; // some rows
+  std::ifstream file(history, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  if (!file || size <= 0) return 0.0;
+  file.seekg(std::max(std::streamoff{0}, size - tail));
+  std::string line, whole;
+  while (std::getline(file, line) && !file.eof()) whole = line;
+  double strain = 0.0;
+  return std::sscanf(whole.c_str(), "%*[^,],%*[^,],%lf", &strain) == 1 ? strain : 0.0;
+}
+
+/// One of the runs that go on.
+struct Worker {
+  Worker(const PlannedRun& its_run, fs::path its_folder, const std::vector<std::string>& words)
+      : run(its_run), folder(std::move(its_folder)), process(words) {}
+
+  const PlannedRun& run;
+  fs::path folder;
+  ChildProcess process;
+  bool told_to_stop = false;
+
+  [[nodiscard]] double share_done() const {
+    return std::clamp(last_strain(folder / "history.csv") / run.final_strain, 0.0, 1.0);
+  }
+};
+
+class Campaign {
+public:
+  Campaign(const Plan& plan, const fs::path& folder, const CarryOut& how) : folder_(folder), how_(how) {
+    for (const std::size_t i : longest_first(plan))
+      if (is_open(plan.runs[i])) waiting_.push_back(&plan.runs[i]);
+    for (const PlannedRun* run : waiting_) all_work_ += run->work;
+    runs_ = waiting_.size();
+    at_once_ = std::clamp(runs_, std::size_t{1}, static_cast<std::size_t>(how.threads));
+    threads_each_ = how.threads / static_cast<int>(at_once_);
+  }
+
+  void carry_out() {
+    constexpr auto between_looks = std::chrono::milliseconds(20);
+    constexpr int looks_between_reports = 10;
+    Progress progress(how_.command);
+    for (int look = 0; !waiting_.empty() || !workers_.empty(); ++look) {
+      if (how_.stop()) stop_all();
+      while (!waiting_.empty() && workers_.size() < at_once_) start_next();
+      if (look % looks_between_reports == 0) report(progress);
+      std::this_thread::sleep_for(between_looks);
+      std::erase_if(workers_, [&](Worker& worker) { return has_ended(worker); });
+    }
+    if (runs_ > 0) report(progress);
+  }
+
+private:
+  [[nodiscard]] bool is_open(const PlannedRun& run) const {
+    const RunResult result = result_of(run, folder_);
+    if (result.status == RunStatus::failed) return lacked_space(result.reason);
+    return result.status != RunStatus::done;
+  }
+
+  void start_next() {
+    const PlannedRun& run = *waiting_.front();
+    const fs::path folder = folder_ / run.name, given = folder / "case.toml";
+    try {
+      fs::create_directories(folder);
+      fs::remove(folder / "summary.json"); // of an earlier try: a run that has one counts as ended
+    } catch (const fs::filesystem_error& error) {
+      throw RunError(folder.string() + ": cannot be made ready: " + error.code().message());
+    }
+    write_atomically(given, run.case_text);
+    const std::vector<std::string> words{
+        "biaxial", given.string(), "--out", folder.string(), "--force", "--threads", std::to_string(threads_each_)};
+    workers_.emplace_back(run, folder, words);
+    waiting_.erase(waiting_.begin());
+  }
+
+  bool has_ended(Worker& worker) {
+    if (worker.process.running()) return false;
+    done_work_ += worker.run.work;
+    const std::string error = last_error(worker.process.messages());
+    if (worker.process.ending() != 0 && lacked_space(error)) {
+      fs::remove(worker.folder / "summary.json"); // it is to run again
+      throw RunError(worker.folder.string() + ": " + error +
+                     "; the campaign stops here: finished runs stay, and it goes on when it is started again");
+    }
+    if (!worker.told_to_stop && !fs::exists(worker.folder / "summary.json"))
+      write_failed_summary(worker.folder, error.empty() ? ending_text(worker.process.ending()) : error);
+    return true;
+  }
+
+  void stop_all() {
+    waiting_.clear();
+    for (Worker& worker : workers_)
+      if (!std::exchange(worker.told_to_stop, true)) worker.process.send(SIGTERM);
+  }
+
+  void report(Progress& progress) const {
+    double work = done_work_;
+    std::string names;
+    for (const Worker& worker : workers_) {
+      work += worker.run.work * worker.share_done();
+      names += (names.empty() ? ", now " : "; ") + worker.run.label;
+    }
+    const std::size_t ended = runs_ - waiting_.size() - workers_.size();
+    progress.update(work / all_work_, std::to_string(ended) + " of " + std::to_string(runs_) + " runs" + names);
+  }
+
+  const fs::path& folder_;
+  const CarryOut& how_;
+  std::vector<const PlannedRun*> waiting_;
+  std::list<Worker> workers_;
+  std::size_t runs_ = 0, at_once_ = 1;
+  int threads_each_ = 1;
+  double all_work_ = 0.0, done_work_ = 0.0;
+};
+
+} // namespace
+
+void carry_out(const Plan& plan, const fs::path& folder, const CarryOut& how) {
+  Campaign(plan, folder, how).carry_out();
+}
+
+} // namespace riedel

@@ -1,0 +1,109 @@
+#include "apps/campaign/plan.hpp"
+
+#include "apps/biaxial_keys.hpp"
+#include "apps/catalogue.hpp"
+#include "apps/specimen_geometry.hpp"
+#include "core/base/error.hpp"
+#include "core/io/case_text.hpp"
+#include "core/io/suggestion.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+namespace riedel {
+
+namespace {
+
+/// A point's step without neighbours takes about as long as looking at so many of them.
+constexpr double neighbours_of_a_step = 15.0 * 8.0;
+constexpr double usual_wave_speed = 300.0; ///< of dense sand under load [m/s]
+
+double expected_work(const Values& v) {
+  const auto& cells = v.integers("grid.cells");
+  const double nx = static_cast<double>(cells[0]), ny = static_cast<double>(cells[1]);
+  const double width = v.number("specimen.width"), height = v.number("specimen.height");
+  const double per_direction = v.number("specimen.points_per_cell");
+  const bool slab = dimensions_of_biaxial(v) == 3;
+  double points = nx * ny * per_direction * per_direction;
+  if (slab) points *= v.number("specimen.depth_cells") * per_direction;
+  const double cell = std::min(width / nx, height / ny);
+  const double step = v.is_text("time.step") ? v.number("time.cfl") * cell / usual_wave_speed : v.number("time.step");
+  const double steps = v.number("loading.final_strain") * height / v.number("loading.speed") / step;
+  const double reach = 3.0 * v.number("nonlocal.length"),
+               area = width * height / (nx * ny) / per_direction / per_direction;
+  const double neighbours = std::min(std::numbers::pi * reach * reach / area, points);
+  return points * steps * (slab ? 3.0 : 1.0) * (1.0 + neighbours / neighbours_of_a_step);
+}
+
+/// The names of all keys that one variant or another has: a law brings its own.
+std::set<std::string> known_keys(const std::vector<Variant>& variants) {
+  std::set<std::string> names;
+  for (const Variant& variant : variants) {
+    try {
+      for (const Key& key : biaxial_keys(inventory(variant.given).catalogue, model_of(variant.given)))
+        names.insert(key.name);
+    } catch (const PluginError&) {} // the run's row will tell
+  }
+  return names;
+}
+
+void refuse_unknown_keys(const std::vector<Variant>& variants) {
+  const std::set<std::string> known = known_keys(variants);
+  for (const Setting& setting : variants.front().settings)
+    if (!known.contains(setting.first))
+      throw InputError("--vary " + setting.first + ": unknown key" +
+                       did_you_mean(setting.first, std::vector<std::string>(known.begin(), known.end())) +
+                       "; 'riedel biaxial --help' lists the known ones");
+}
+
+void refuse_shared_names(const std::vector<PlannedRun>& runs) {
+  std::set<std::string> names;
+  for (const PlannedRun& run : runs)
+    if (!names.insert(run.name).second) throw InputError("two runs would share the folder " + run.name);
+}
+
+PlannedRun planned(const Variant& variant, std::vector<std::string>& warnings) {
+  PlannedRun run{
+      .name = variant.name, .label = variant.label, .settings = variant.settings, .case_text = "", .refusal = ""};
+  try {
+    const CheckedCase checked = biaxial_case(variant.given, inventory(variant.given).catalogue);
+    for (const std::string& warning : checked.warnings)
+      if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+    run.case_text = case_text(checked.keys, checked.values);
+    run.work = expected_work(checked.values);
+    run.final_strain = checked.values.number("loading.final_strain");
+  } catch (const InputError& error) { run.refusal = error.what(); } catch (const PluginError& error) {
+    run.refusal = error.what();
+  }
+  return run;
+}
+
+} // namespace
+
+double Plan::work() const {
+  return std::accumulate(runs.begin(), runs.end(), 0.0,
+                         [](double sum, const PlannedRun& run) { return sum + run.work; });
+}
+
+Plan plan_of(std::string title, std::string command, const std::vector<Variant>& variants) {
+  refuse_unknown_keys(variants);
+  Plan plan{.title = std::move(title), .command = std::move(command), .runs = {}};
+  for (const Variant& variant : variants) plan.runs.push_back(planned(variant, plan.warnings));
+  refuse_shared_names(plan.runs);
+  if (std::ranges::none_of(plan.runs, [](const PlannedRun& run) { return run.refusal.empty(); }))
+    throw InputError("not one of the runs can begin; the first, " + plan.runs.front().name + ": " +
+                     plan.runs.front().refusal);
+  return plan;
+}
+
+std::vector<std::size_t> longest_first(const Plan& plan) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < plan.runs.size(); ++i)
+    if (plan.runs[i].refusal.empty()) order.push_back(i);
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) { return plan.runs[i].work; });
+  return order;
+}
+
+} // namespace riedel

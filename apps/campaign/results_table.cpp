@@ -1,0 +1,93 @@
+#include "apps/campaign/results_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace riedel {
+
+namespace {
+
+using nlohmann::ordered_json;
+using Row = std::vector<Setting>; ///< column, cell
+
+/// The figures of a summary; inner ones have the names of both.
+void flatten(const ordered_json& json, const std::string& prefix, Row& row) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object())
+      flatten(value, prefix + key + ".", row);
+    else
+      row.emplace_back(prefix + key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+}
+
+Row row_of(const RunResult& result) {
+  Row row{{"run", result.name}, {"status", name_of(result.status)}, {"reason", result.reason}};
+  row.insert(row.end(), result.settings.begin(), result.settings.end());
+  Row figures;
+  if (result.summary.is_object()) flatten(result.summary, "", figures);
+  for (Setting& figure : figures) // a scheme that is varied stands in its column already
+    if (std::ranges::find(row, figure.first, &Setting::first) == row.end()) row.push_back(std::move(figure));
+  return row;
+}
+
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string figure(const ordered_json& json, double unit, int digits) {
+  if (!json.is_number()) return "-";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, unit * json.get<double>());
+  return text.data();
+}
+
+std::string outcome_text(const RunResult& result) {
+  if (result.status != RunStatus::done) return std::string(name_of(result.status)) + ": " + result.reason;
+  const ordered_json &s = result.summary, &band = s.at("band");
+  std::string text = "peak " + figure(s.at("phi_peak_deg"), 1.0, 2) + " deg at " +
+                     figure(s.at("u_over_h_at_peak"), 100.0, 2) + " %, residual " +
+                     figure(s.at("phi_residual_deg"), 1.0, 2) + " deg, ";
+  text += band.at("found").get<bool>() ? "band at " + figure(band.at("inclination_deg"), 1.0, 1) + " deg, " +
+                                             figure(band.at("thickness_fwhm_m"), 1e3, 2) + " mm"
+                                       : "no band";
+  return text + ", " + figure(s.at("wall_s"), 1.0, 1) + " s";
+}
+
+} // namespace
+
+std::string results_csv(const std::vector<RunResult>& results) {
+  std::vector<Row> rows;
+  std::vector<std::string> columns;
+  for (const RunResult& result : results) {
+    rows.push_back(row_of(result));
+    for (const auto& [column, text] : rows.back())
+      if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
+  }
+  std::string text;
+  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + cell(column);
+  text += "\n";
+  for (const Row& row : rows) {
+    std::string line;
+    for (const std::string& column : columns) {
+      const auto found = std::ranges::find(row, column, &Setting::first);
+      line += (&column == &columns.front() ? "" : ",") + (found == row.end() ? std::string() : cell(found->second));
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string results_text(const std::vector<RunResult>& results) {
+  std::size_t widest = 0;
+  for (const RunResult& result : results) widest = std::max(widest, result.label.size());
+  std::string text;
+  for (const RunResult& result : results)
+    text += result.label + std::string(widest + 2 - result.label.size(), ' ') + outcome_text(result) + "\n";
+  return text;
+}
+
+} // namespace riedel
