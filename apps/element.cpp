@@ -64,10 +64,10 @@ CaseFile given_case(const Arguments& arguments, const std::string& test) {
 std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, const Catalogue& catalogue,
                          const std::filesystem::path& folder) {
   const auto wishes = arguments.options.find("vary");
+  const std::vector<Variation> variations =
+      wishes == arguments.options.end() ? std::vector<Variation>{} : variations_of(wishes->second);
   std::vector<Run> runs;
-  for (Variant& variant :
-       variants_of(given_case(arguments, test),
-                   wishes == arguments.options.end() ? std::vector<std::string>{} : wishes->second)) {
+  for (Variant& variant : variants_of(given_case(arguments, test), variations)) {
     CheckedCase checked = element_case(variant.given, catalogue);
     const std::filesystem::path place = variant.name.empty() ? folder : folder / variant.name;
     runs.push_back({std::move(variant), std::move(checked), place});

@@ -70,6 +70,17 @@ Variation variation_of(const std::string& wish) {
   return variation;
 }
 
+std::vector<Variation> variations_of(const std::vector<std::string>& wishes) {
+  std::vector<Variation> variations;
+  for (const std::string& wish : wishes) {
+    Variation variation = variation_of(wish);
+    if (std::ranges::find(variations, variation.key, &Variation::key) != variations.end())
+      throw InputError("--vary " + wish + ": " + variation.key + " is varied twice");
+    variations.push_back(std::move(variation));
+  }
+  return variations;
+}
+
 std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variation>& variations) {
   std::vector<Variant> all{{.given = given, .name = "", .label = ""}};
   for (const Variation& variation : variations) {
@@ -80,17 +91,6 @@ std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variat
     all = std::move(crossed);
   }
   return all;
-}
-
-std::vector<Variant> variants_of(const CaseFile& given, const std::vector<std::string>& wishes) {
-  std::vector<Variation> variations;
-  for (const std::string& wish : wishes) {
-    Variation variation = variation_of(wish);
-    if (std::ranges::find(variations, variation.key, &Variation::key) != variations.end())
-      throw InputError("--vary " + wish + ": " + variation.key + " is varied twice");
-    variations.push_back(std::move(variation));
-  }
-  return variants_of(given, variations);
 }
 
 } // namespace riedel

@@ -26,11 +26,11 @@ struct Variation {
 /// @throws InputError that says what a wish looks like, or which value is empty or stands twice
 Variation variation_of(const std::string& wish);
 
+/// Several wishes. @throws InputError for a key that is varied twice, too
+std::vector<Variation> variations_of(const std::vector<std::string>& wishes);
+
 /// All values of all keys, crossed; the first key changes last. Keys are called by their last word where that tells
 /// them apart.
 std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variation>& variations);
-
-/// @param wishes each "KEY=A,B,C" @throws InputError, as variation_of does
-std::vector<Variant> variants_of(const CaseFile& given, const std::vector<std::string>& wishes);
 
 } // namespace riedel

@@ -27,17 +27,22 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 /// Status, reason and history of a run that has left a summary.
 void read_results(RunResult& result) {
   const std::string status = result.summary.at("status");
+  const fs::path history = result.folder / "history.csv";
   if (status == "failed") {
     result.status = RunStatus::failed;
     result.reason = first_line(result.summary.at("reason"));
-  } else if (status == "done") {
+    try {
+      result.history = read_table(history);
+    } catch (const InputError&) {} // it may have failed before a row was written, or in the middle of one
+    return;
+  }
+  if (status == "done") {
     result.status = RunStatus::done;
     (void)result.summary.at("band").at("found");
   } else {
     result.reason = status + " before its end";
   }
-  const fs::path history = result.folder / "history.csv";
-  if (result.status != RunStatus::failed || fs::exists(history)) result.history = read_table(history);
+  result.history = read_table(history);
 }
 
 void mark_damaged(RunResult& result, const std::string& why) {

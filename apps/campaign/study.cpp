@@ -30,14 +30,7 @@ void put(std::vector<Variation>& variations, Variation variation) {
 }
 
 void add_wishes(std::vector<Variation>& variations, const Texts& wishes) {
-  Texts keys;
-  for (const std::string& wish : wishes) {
-    Variation variation = variation_of(wish);
-    if (std::ranges::find(keys, variation.key) != keys.end())
-      throw InputError("--vary " + wish + ": " + variation.key + " is varied twice");
-    keys.push_back(variation.key);
-    put(variations, std::move(variation));
-  }
+  for (Variation& variation : variations_of(wishes)) put(variations, std::move(variation));
 }
 
 Texts schemes_of(const Arguments& arguments, const CaseFile& file) {

@@ -117,13 +117,13 @@ TEST_F(ElementPaths, ThoseOfTheDocumentationAreFitToRun) {
 }
 
 TEST(Vary, CrossesItsWishes) {
-  const auto all = variants_of(CaseFile::empty(), {"a.x=1,2", "b=[1,2],[3,4]"});
+  const auto all = variants_of(CaseFile::empty(), variations_of({"a.x=1,2", "b=[1,2],[3,4]"}));
   std::vector<std::string> names;
   for (const Variant& variant : all) names.push_back(variant.name);
   EXPECT_THAT(names, ElementsAre("x=1,b=[1,2]", "x=1,b=[3,4]", "x=2,b=[1,2]", "x=2,b=[3,4]"));
   EXPECT_EQ(all[1].label, "x = 1, b = [3,4]");
   EXPECT_EQ(variants_of(CaseFile::empty(), {}).size(), 1U);
-  for (const char* wrong : {"a", "a=", "=1"}) EXPECT_THROW((void)variants_of(CaseFile::empty(), {wrong}), InputError);
+  for (const char* wrong : {"a", "a=", "=1"}) EXPECT_THROW((void)variation_of(wrong), InputError);
 }
 
 } // namespace

@@ -1,0 +1,250 @@
+/// `riedel compare` and `riedel collect` as a user meets them.
+#include "apps/campaign.hpp"
+
+#include <gmock/gmock.h>
+#include <thread>
+
+namespace riedel::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class Compare : public CampaignTest {};
+
+TEST_F(Compare, LeavesAFolderForEveryRunAndARowInTheTable) {
+  const Outcome outcome = compare({"--schemes", "gimp,linear", "--vary", "nonlocal.length=0,6e-3"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Rows rows = results();
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].at("run"), "scheme=gimp,length=0");
+  EXPECT_EQ(rows[3].at("run"), "scheme=linear,length=6e-3");
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("status"), "done");
+    EXPECT_EQ(row.at("reason"), "");
+    EXPECT_EQ(row.at("points"), "224");
+    EXPECT_THAT(row.at("phi_peak_deg"), ContainsRegex("^[0-9]+[.][0-9]+$"));
+    EXPECT_EQ(row.at("band.found"), "false");
+    for (const char* file : {"case.toml", "history.csv", "summary.json"})
+      EXPECT_TRUE(fs::exists(out_ / row.at("run") / file)) << file;
+  }
+  EXPECT_EQ(rows[1].at("scheme"), "gimp");
+  EXPECT_EQ(rows[1].at("nonlocal.length"), "6e-3");
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("linear, length = 6e-3  peak "), HasSubstr("results.csv")));
+  EXPECT_THAT(outcome.err, HasSubstr("4 of 4 runs"));
+}
+
+TEST_F(Compare, GivesARunTheSameBitsAsTheTestAlone) {
+  ASSERT_EQ(compare({"--schemes", "gimp,cpdi", "--vary", "nonlocal.length=0,6e-3", "--threads", "4"}).code, 0);
+  const fs::path one = out_ / "scheme=cpdi,length=6e-3";
+  ASSERT_EQ(run(folder_, {"biaxial", (one / "case.toml").string(), "--out", (folder_ / "alone").string()}).code, 0);
+  EXPECT_EQ(file_content(one / "history.csv"), file_content(folder_ / "alone" / "history.csv"));
+}
+
+TEST_F(Compare, ListsTheRunsWithoutStartingThem) {
+  const Outcome outcome = compare({"--schemes", "gimp,cpdi", "--vary", "grid.cells=[8,28],[16,56]", "--dry-run"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out,
+              AllOf(StartsWith("4 runs"), ContainsRegex("4[0-9][.][0-9] %  scheme=cpdi,cells=[[]16,56[]]\n")));
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Compare, TellsOfARunThatCannotBeginInItsRow) {
+  const Outcome outcome = compare({"--schemes", "gimp,bspline3", "--vary", "loading.lateral=points"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(results()[0].at("status"), "done");
+  EXPECT_EQ(results()[1].at("status"), "refused");
+  EXPECT_THAT(results()[1].at("reason"), AllOf(HasSubstr("loading.lateral"), HasSubstr("out of balance")));
+  EXPECT_EQ(results()[1].at("phi_peak_deg"), "");
+}
+
+TEST_F(Compare, TellsOfARunThatFailsInItsRow) {
+  const Words blows_up{"--set", "nonlocal.length=0", "--set", "loading.final_strain=0.02"};
+  Words words = blows_up;
+  words.insert(words.end(), {"--vary", "time.step=auto,5e-5"});
+  EXPECT_EQ(compare(words).code, 0);
+  EXPECT_EQ(results()[0].at("status"), "done");
+  EXPECT_EQ(results()[1].at("status"), "failed");
+  EXPECT_THAT(results()[1].at("reason"), HasSubstr("step"));
+
+  words.back() = "time.step=5e-5";
+  words.push_back("--force");
+  EXPECT_EQ(compare(words).code, 3) << "not one run came to its end";
+}
+
+TEST_F(Compare, SaysWhatIsWrongBeforeAnythingRuns) {
+  struct Wrong {
+    Words words;
+    const char* message;
+  };
+  for (const auto& [words, message] : {
+           Wrong{{"--vary", "specimen.void_rato=0.5,0.6"},
+                 "--vary specimen.void_rato: unknown key (did you mean 'specimen.void_ratio'?)"},
+           Wrong{{"--vary", "specimen.void_ratio="}, "expected KEY=A,B,C"},
+           Wrong{{"--vary", "specimen.void_ratio=0.5,,0.6"}, "a value of the list is empty"},
+           Wrong{{"--vary", "specimen.void_ratio=0.55,0.55"}, "0.55 stands twice"},
+           Wrong{{"--vary", "specimen.void_ratio=0.55", "--vary", "specimen.void_ratio=0.6"}, "is varied twice"},
+           Wrong{{"--schemes", ""}, "empty"},
+           Wrong{{"--schemes", "gimpo"}, "gimpo is unknown (did you mean 'gimp'?)"},
+           Wrong{{}, "nothing to compare"},
+           Wrong{{"--vary", "specimen.void_ratio=0.2,0.3"},
+                 "not one of the runs can begin; the first, void_ratio=0.2: "},
+           Wrong{{"--schemes", "gimp", "--script", "pbs"}, "--script pbs: unknown"},
+           Wrong{{"--schemes", "gimp", "--threads", "0"}, "--threads 0: allowed"},
+       }) {
+    const Outcome outcome = compare(words);
+    EXPECT_EQ(outcome.code, 2) << message;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_FALSE(fs::exists(out_)) << message;
+  }
+}
+
+TEST_F(Compare, TakesWhatIsVariedFromTheCaseFile) {
+  const fs::path study =
+      folder_.file("study.toml", "scheme = \"cpdi\"\n[compare]\ntitle = \"Two schemes\"\n"
+                                 "schemes = [\"gimp\", \"linear\"]\nvary = [\"nonlocal.length=0,6e-3\"]\n");
+  const Outcome listed = compare({study.string(), "--vary", "nonlocal.length=0", "--dry-run"});
+  EXPECT_THAT(listed.out, AllOf(StartsWith("2 runs"), HasSubstr("scheme=linear,length=0\n"), Not(HasSubstr("6e-3"))));
+  EXPECT_EQ(run(folder_, {"check", study.string()}).code, 0) << "a study is a case, too";
+
+  const fs::path wrong = folder_.file("wrong.toml", "[compare]\nscheme = [\"gimp\"]\n");
+  EXPECT_THAT(compare({wrong.string()}).err,
+              HasSubstr("wrong.toml:2:10: compare.scheme: unknown key (did you mean 'compare.schemes'?)"));
+  const fs::path text = folder_.file("text.toml", "[compare]\nschemes = \"gimp\"\n");
+  EXPECT_THAT(compare({text.string()}).err,
+              HasSubstr("text.toml:2:11: compare.schemes: is 'gimp'; allowed: a list of texts"));
+}
+
+TEST_F(Compare, RefusesAFolderThatHoldsAnotherCampaign) {
+  ASSERT_EQ(compare({"--schemes", "gimp"}).code, 0);
+  const auto before = files_in(out_);
+  const Outcome refused = compare({"--schemes", "linear"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr(out_.string()), HasSubstr("'riedel compare --out "),
+                                 HasSubstr("--schemes gimp' with 1 runs"), HasSubstr("--force")));
+  EXPECT_EQ(files_in(out_), before);
+  EXPECT_EQ(run(folder_, coarse_case(out_)).code, 2) << "a single test must not land in it";
+
+  ASSERT_EQ(compare({"--schemes", "linear", "--force"}).code, 0);
+  EXPECT_FALSE(fs::exists(out_ / "scheme=gimp"));
+  EXPECT_TRUE(fs::exists(out_ / "scheme=linear" / "summary.json"));
+}
+
+TEST_F(Compare, RefusesAFolderWithResultsOfASingleTest) {
+  ASSERT_EQ(run(folder_, coarse_case(out_)).code, 0);
+  EXPECT_EQ(compare({"--schemes", "gimp"}).code, 2);
+}
+
+/// Killed when a part of the runs is over, at whatever moment that is.
+TEST_F(Compare, GoesOnWhereItWasKilled) {
+  const Words words{"--schemes", "gimp,linear,cpdi",          "--vary",    "nonlocal.length=0,6e-3",
+                    "--set",     "loading.final_strain=0.02", "--threads", "2"};
+  ASSERT_EQ(compare(words).code, 0);
+  const Rows whole = results();
+  fs::rename(out_, folder_ / "whole");
+
+  Process process(folder_, all(words));
+  while (process.running() && summaries() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  process.finish(SIGKILL);
+  const std::size_t finished = summaries();
+  ASSERT_THAT(finished, AllOf(testing::Ge(2U), testing::Lt(6U)));
+  const auto kept = fs::last_write_time(*first_summary());
+  ASSERT_EQ(compare(words).code, 0);
+  EXPECT_EQ(fs::last_write_time(*first_summary()), kept) << "what was finished is not run again";
+  EXPECT_EQ(results(), whole) << "but for the columns of time";
+}
+
+TEST_F(Compare, TellsOfWhatItHasWhenItIsInterrupted) {
+  Process process(folder_, all({"--schemes", "gimp,linear", "--set", "loading.final_strain=0.5", "--threads", "1"}));
+  while (process.running() && !fs::exists(out_ / "scheme=gimp" / "history.csv"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // until it listens
+  const Outcome outcome = process.finish(SIGINT);
+  EXPECT_EQ(outcome.code, 130);
+  ASSERT_EQ(results().size(), 2U);
+  for (const auto& row : results()) EXPECT_EQ(row.at("status"), "missing");
+  EXPECT_THAT(results()[0].at("reason"), testing::AnyOf(HasSubstr("interrupted"), HasSubstr("not run")));
+  EXPECT_THAT(results()[1].at("reason"), HasSubstr("not run"));
+}
+
+TEST_F(Compare, StopsWhenTheDiskIsFullAndKeepsWhatIsFinished) {
+  const Words words{"--vary", "output.vtk=false,true", "--threads", "1"};
+  const Outcome outcome = run(folder_, all(words), 40'000); // the files of the second run are larger
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr((out_ / "vtk=true").string()), HasSubstr("File too large"),
+                                 HasSubstr("finished runs stay")));
+  const auto kept = fs::last_write_time(out_ / "vtk=false" / "summary.json");
+  ASSERT_EQ(compare(words).code, 0) << "with room again it goes on";
+  EXPECT_EQ(fs::last_write_time(out_ / "vtk=false" / "summary.json"), kept);
+  EXPECT_EQ(results()[1].at("status"), "done");
+}
+
+TEST_F(Compare, TakesACrashForAFailure) {
+  Process process(folder_,
+                  all({"--vary", "nonlocal.length=6e-3,0", "--set", "loading.final_strain=0.5", "--threads", "2"}));
+  while (process.running() && !fs::exists(out_ / "length=0" / "history.csv"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const pid_t victim = process_with("biaxial " + (out_ / "length=0" / "case.toml").string());
+  ASSERT_GT(victim, 0);
+  ::kill(victim, SIGSEGV);
+  while (process.running() && !fs::exists(out_ / "length=0" / "summary.json"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  process.finish(SIGTERM);
+  EXPECT_EQ(results()[1].at("status"), "failed");
+  EXPECT_THAT(results()[1].at("reason"), HasSubstr("signal 11"));
+}
+
+class Scripts : public CampaignTest {};
+
+TEST_F(Scripts, RunTheSameCampaignElsewhere) {
+  const Words words{"--schemes", "gimp,linear"};
+  ASSERT_EQ(compare(words).code, 0);
+  const Rows wanted = results();
+  fs::rename(out_, folder_ / "whole");
+  for (const std::string kind : {"slurm", "parallel"}) {
+    ASSERT_EQ(compare({"--schemes", "gimp,linear", "--script", kind, "--force"}).code, 0);
+    EXPECT_FALSE(fs::exists(out_ / "scheme=gimp" / "history.csv"));
+    const std::string script = (out_ / ("campaign." + kind)).string();
+    const std::string call =
+        kind == "slurm" ? "for SLURM_ARRAY_TASK_ID in 0 1; do export SLURM_ARRAY_TASK_ID; bash " + script + "; done"
+                        : "sh " + script;
+    ASSERT_EQ(std::system(("(" + call + ") >" + (folder_ / "log").string() + " 2>&1").c_str()), 0)
+        << file_content(folder_ / "log");
+    ASSERT_EQ(run(folder_, {"collect", out_.string()}).code, 0);
+    EXPECT_EQ(results(), wanted) << kind;
+  }
+}
+
+TEST_F(Scripts, CollectTellsWhichFolderIsDamaged) {
+  ASSERT_EQ(compare({"--schemes", "gimp,linear,cpdi"}).code, 0);
+  std::ofstream(out_ / "scheme=gimp" / "summary.json") << "{\"status\": ";
+  std::ofstream(out_ / "scheme=linear" / "history.csv") << "step,time_s\n1\n";
+  const Outcome outcome = run(folder_, {"collect", out_.string()});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(results()[0].at("status"), "damaged");
+  EXPECT_THAT(results()[0].at("reason"), HasSubstr("scheme=gimp/summary.json: cannot be understood"));
+  EXPECT_THAT(results()[1].at("reason"), HasSubstr("scheme=linear/history.csv:2:"));
+  EXPECT_EQ(results()[2].at("status"), "done");
+  EXPECT_THAT(outcome.err, HasSubstr("warning: scheme=gimp is damaged"));
+  ASSERT_EQ(compare({"--schemes", "gimp,linear,cpdi"}).code, 0) << "damaged runs run again";
+  EXPECT_EQ(results()[1].at("status"), "done");
+}
+
+TEST_F(Scripts, CollectRefusesWhatIsNoCampaign) {
+  EXPECT_THAT(run(folder_, {"collect", folder_.path().string()}).err, HasSubstr("the folder holds no campaign"));
+  folder_.file("campaign.json", "{\"runs\": 1}");
+  const Outcome outcome = run(folder_, {"collect", folder_.path().string()});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("campaign.json: is damaged"));
+  folder_.file(
+      "campaign.json",
+      R"({"title":"","command":"","runs":[{"name":"../x","label":"","settings":{},"refused":"","work":1,"final_strain":1,"case":""}]})");
+  EXPECT_THAT(run(folder_, {"collect", folder_.path().string()}).err, HasSubstr("'../x' is no name of a run"));
+}
+
+} // namespace
+} // namespace riedel::test
