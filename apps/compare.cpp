@@ -8,6 +8,7 @@
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
+#include "apps/report/compare_report.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 
@@ -40,7 +41,8 @@ void print_runs(const Plan& plan) {
 int write_results(const Plan& plan, const fs::path& folder) {
   const std::vector<RunResult> results = results_of(plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
-  std::cout << results_text(results) << "written to " << folder.string() << ": results.csv\n";
+  write_atomically(folder / "report.html", compare_report(plan.title, plan.command, results).html());
+  std::cout << results_text(results) << "written to " << folder.string() << ": results.csv, report.html\n";
   for (const RunResult& result : results)
     if (result.status == RunStatus::damaged) print_warning(result.name + " is damaged: " + result.reason);
   return std::ranges::any_of(results, [](const RunResult& r) { return r.status == RunStatus::done; }) ? 0 : 3;

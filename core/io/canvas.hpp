@@ -50,6 +50,8 @@ public:
   virtual void rectangle(const Box& box, Color color) = 0;
   /// @param at on the base line of the text
   virtual void text(Spot at, const std::string& text, const Lettering& lettering) = 0;
+  /// What is drawn from here on belongs to this; empty: to nothing. Files that can tell, do.
+  virtual void belongs_to(const std::string& /*id*/) {}
   /// The bytes of the file.
   [[nodiscard]] virtual std::string encode() const = 0;
 };

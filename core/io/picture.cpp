@@ -2,8 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
-#include "core/io/domain_raster.hpp"
-#include "core/io/raster_canvas.hpp"
+#include "core/io/field_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +10,7 @@
 namespace riedel {
 namespace {
 
-constexpr Color grey{0.45, 0.45, 0.45}, unknown{0.75, 0.75, 0.75};
+constexpr Color grey{0.45, 0.45, 0.45};
 constexpr double millimetre = 1e-3; ///< [m]
 constexpr int bar_ticks = 6;
 
@@ -27,30 +26,18 @@ void check(const std::vector<Panel>& panels, const PictureOptions& options) {
   }
 }
 
-double value_at(const Field& field, int component, std::size_t point) {
-  return field.values[point * static_cast<std::size_t>(field.components) + static_cast<std::size_t>(component)];
-}
-
 Interval color_range(const std::vector<Panel>& panels, const PictureOptions& options) {
   Extent extent;
   for (const Panel& panel : panels) {
-    const Field& field = panel.frame->field(options.field);
-    for (std::size_t i = 0; i < panel.frame->points(); ++i) extent.add(value_at(field, options.component, i));
+    for (const double value : FieldColors{options.field, options.component, {}}.values(*panel.frame)) extent.add(value);
   }
   return options.range.value_or(extent.interval(0));
 }
 
-/// The part of the plane that holds every panel's specimen, y upwards [m].
 Box common_view(const std::vector<Panel>& panels) {
-  Extent x, y;
-  for (const Panel& panel : panels)
-    for (std::size_t i = 0; i < panel.frame->corners.size(); i += 3) {
-      x.add(panel.frame->corners[i]);
-      y.add(panel.frame->corners[i + 1]);
-    }
-  const Interval across = x.interval(0), up = y.interval(0);
-  const double margin = 0.03 * std::max(across.width(), up.width());
-  return {across.low - margin, up.high + margin, across.high + margin, up.low - margin};
+  std::vector<const Frame*> frames;
+  for (const Panel& panel : panels) frames.push_back(panel.frame);
+  return view_of(frames);
 }
 
 struct Layout {
@@ -110,32 +97,6 @@ Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) 
   const double shorter = 0.1 * panel_height;
   l.bar = {last.right + 1.4 * l.font, last.top + shorter, last.right + 2.4 * l.font, last.bottom - shorter};
   return l;
-}
-
-void draw_specimen(RasterCanvas& canvas, const Panel& panel, const PictureOptions& options, const Layout& l,
-                   const Box& area) {
-  constexpr int fine = 3; // samples along each edge of a pixel
-  const DomainRaster raster = rasterise_domains(*panel.frame, l.view, 1 / (l.scale * fine));
-  const Field& field = panel.frame->field(options.field);
-  const auto color_of = [&](int point) {
-    const double value = value_at(field, options.component, static_cast<std::size_t>(point));
-    return std::isfinite(value) ? viridis(l.colors.part(value)) : unknown;
-  };
-  for (int y = 0; y < raster.height / fine; ++y)
-    for (int x = 0; x < raster.width / fine; ++x) {
-      Color sum;
-      int covered = 0;
-      for (int sample = 0; sample < fine * fine; ++sample) {
-        const int point = raster.at(fine * x + sample % fine, fine * y + sample / fine);
-        if (point < 0) continue;
-        const Color color = color_of(point);
-        sum = {sum.r + color.r, sum.g + color.g, sum.b + color.b};
-        ++covered;
-      }
-      if (covered == 0) continue;
-      canvas.blend(static_cast<int>(area.left) + x, static_cast<int>(area.top) + y,
-                   {sum.r / covered, sum.g / covered, sum.b / covered}, double(covered) / (fine * fine));
-    }
 }
 
 /// @param first whether to label the vertical axis, which the panels share
@@ -204,7 +165,7 @@ void write_field_pictures(const std::filesystem::path& path, const std::vector<P
   const Layout l = lay_out(panels, options);
   RasterCanvas canvas(l.width, l.height);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    draw_specimen(canvas, panels[i], options, l, l.areas[i]);
+    paint_field(canvas, *panels[i].frame, {options.field, options.component, l.colors}, l.view, l.areas[i], l.scale);
     draw_axes(canvas, l, l.areas[i], i == 0);
     draw_titles(canvas, panels[i], l, l.areas[i]);
   }

@@ -29,7 +29,7 @@ constexpr double curve_width = 1.8, dot_radius = 2.4; ///< curves
 
 struct Curve {
   const Series* series;
-  Color color;
+  Pen pen;
   std::vector<Spot> spots; ///< on the sheet, before they are cut
 };
 
@@ -74,13 +74,23 @@ Box area_of(const Plot& plot, const Interval& y, double right_margin) {
           plot.height - tick - 2 * small - 4 * gap};
 }
 
+Pen pen_of(const Series& series, std::size_t number) {
+  Pen pen = series_pen(number);
+  if (series.color) pen.color = *series.color;
+  if (series.style == Style::solid && !series.color) return pen;
+  pen.dashes.clear();
+  if (series.style == Style::dashed) pen.dashes = {7, 5};
+  if (series.style == Style::dotted) pen.dashes = {0.1, 4};
+  return pen;
+}
+
 std::vector<Curve> curves_of(const Plot& plot, const Axes& axes) {
   std::vector<Curve> curves;
   for (const Series& s : plot.series) {
     if (s.x.size() != s.y.size())
       throw InputError("the curve '" + s.label + "' has " + std::to_string(s.x.size()) + " x and " +
                        std::to_string(s.y.size()) + " y");
-    Curve curve{&s, s.color.value_or(palette[curves.size() % palette.size()]), {}};
+    Curve curve{&s, pen_of(s, curves.size()), {}};
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       const Spot spot{axes.across(s.x[i]), axes.down(s.y[i])};
       constexpr double fine = 0.2; // steps too short to be seen only make the file longer
@@ -91,13 +101,6 @@ std::vector<Curve> curves_of(const Plot& plot, const Axes& axes) {
     curves.push_back(std::move(curve));
   }
   return curves;
-}
-
-Pen pen_of(const Curve& curve) {
-  Pen pen{curve.color, curve_width};
-  if (curve.series->style == Style::dashed) pen.dashes = {7, 5};
-  if (curve.series->style == Style::dotted) pen.dashes = {0.1, 4};
-  return pen;
 }
 
 void draw_axes(Canvas& canvas, const Plot& plot, const Axes& axes) {
@@ -125,13 +128,15 @@ void draw_axes(Canvas& canvas, const Plot& plot, const Axes& axes) {
 
 void draw_curves(Canvas& canvas, const std::vector<Curve>& curves, const Box& area) {
   for (const Curve& curve : curves) {
+    canvas.belongs_to(curve.series->id);
     if (curve.series->style == Style::dots) {
       for (const Spot& s : curve.spots)
-        if (clip(s, s, area)) canvas.disc(s, dot_radius, curve.color);
+        if (clip(s, s, area)) canvas.disc(s, dot_radius, curve.pen.color);
     } else {
-      for (const auto& piece : clip(curve.spots, area)) canvas.line(piece, pen_of(curve));
+      for (const auto& piece : clip(curve.spots, area)) canvas.line(piece, curve.pen);
     }
   }
+  canvas.belongs_to("");
 }
 
 struct Layout {
@@ -199,9 +204,9 @@ void draw_legend(Canvas& canvas, const Layout& layout) {
   for (const Curve* curve : layout.legend) {
     const double y = corner.y + row / 2;
     if (curve->series->style == Style::dots) {
-      canvas.disc({corner.x + sample / 2, y}, dot_radius, curve->color);
+      canvas.disc({corner.x + sample / 2, y}, dot_radius, curve->pen.color);
     } else {
-      canvas.line({{corner.x, y}, {corner.x + sample, y}}, pen_of(*curve));
+      canvas.line({{corner.x, y}, {corner.x + sample, y}}, curve->pen);
     }
     canvas.text({corner.x + sample + gap, y + 0.36 * small}, curve->series->label, {small});
     corner.y += row;
@@ -219,11 +224,18 @@ void draw(Canvas& canvas, const Plot& plot) {
 
 } // namespace
 
-void write_svg(const std::filesystem::path& path, const Plot& plot) {
+Pen series_pen(std::size_t number) {
+  const std::array<std::vector<double>, 4> dashes{{{}, {6, 4}, {0.1, 3.5}, {9, 4, 0.1, 4}}};
+  return {palette[number % palette.size()], curve_width, dashes[number / palette.size() % dashes.size()]};
+}
+
+std::string svg_text(const Plot& plot) {
   const auto canvas = make_svg_canvas(plot.width, plot.height);
   draw(*canvas, plot);
-  write_atomically(path, canvas->encode());
+  return canvas->encode();
 }
+
+void write_svg(const std::filesystem::path& path, const Plot& plot) { write_atomically(path, svg_text(plot)); }
 
 void write_png(const std::filesystem::path& path, const Plot& plot) {
   RasterCanvas canvas(plot.width, plot.height, 2.5);

@@ -18,7 +18,12 @@ struct Series {
   std::vector<double> x, y;
   Style style = Style::solid;
   std::optional<Color> color = {}; ///< by default the next of a palette that the colour-blind can tell apart
+  std::string id = {};             ///< by which a page finds the curve in an SVG again
 };
+
+/// The pen of the n-th curve that has neither colour nor style of its own: the palette again and again, with other
+/// dashes each time.
+Pen series_pen(std::size_t number);
 
 /// A horizontal line, for instance at a peak value of the literature.
 struct ReferenceLine {
@@ -35,9 +40,10 @@ struct Plot {
   double width = 640, height = 440;                   ///< a PNG has 2.5 pixels for each
 };
 
-/// Both throw RunError with path and reason if the file cannot be written, and InputError if a curve has not as many x
+/// All throw RunError with path and reason if the file cannot be written, and InputError if a curve has not as many x
 /// as y.
 void write_svg(const std::filesystem::path& path, const Plot& plot);
+std::string svg_text(const Plot& plot);
 void write_png(const std::filesystem::path& path, const Plot& plot);
 
 } // namespace riedel

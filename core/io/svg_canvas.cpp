@@ -35,6 +35,8 @@ std::string escaped(const std::string& text) {
       result += "&lt;";
     } else if (c == '>') {
       result += "&gt;";
+    } else if (c == '"') {
+      result += "&quot;";
     } else {
       result += c;
     }
@@ -75,18 +77,25 @@ public:
              (lettering.upright ? attribute("transform", turn) : "") + ">" + escaped(text) + "</text>\n";
   }
 
+  void belongs_to(const std::string& id) override {
+    if (in_group_) body_ += "</g>\n";
+    in_group_ = !id.empty();
+    if (in_group_) body_ += "<g" + attribute("data-run", escaped(id)) + ">\n";
+  }
+
   [[nodiscard]] std::string encode() const override {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"" +
            attribute("width", width_) + attribute("height", height_) +
            attribute("viewBox", "0 0 " + number(width_) + " " + number(height_)) +
            " font-family=\"DejaVu Sans, Verdana, Helvetica, sans-serif\" stroke-linecap=\"round\""
            " stroke-linejoin=\"round\">\n" +
-           body_ + "</svg>\n";
+           body_ + (in_group_ ? "</g>\n" : "") + "</svg>\n";
   }
 
 private:
   double width_, height_;
   std::string body_;
+  bool in_group_ = false;
 };
 
 } // namespace

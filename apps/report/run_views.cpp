@@ -1,0 +1,204 @@
+#include "apps/report/run_views.hpp"
+
+#include "core/base/error.hpp"
+#include "core/io/field_image.hpp"
+#include "core/io/vtk_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace riedel {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+const PageCell none{"–", "faint"};
+
+/// A figure of a summary, or of the band in it, in its unit; a dash where there is none.
+PageCell figure(const ordered_json& json, const char* name, double unit, int digits) {
+  if (!json.is_object() || !json.contains(name) || !json.at(name).is_number()) return none;
+  return {with_digits(json.at(name).get<double>() / unit, digits)};
+}
+
+ordered_json band_of(const RunResult& run) {
+  const bool has_band = run.summary.is_object() && run.summary.contains("band");
+  return has_band && run.summary.at("band").value("found", false) ? run.summary.at("band") : ordered_json::object();
+}
+
+PageCell exponent(const ordered_json& json, const char* name) {
+  if (!json.is_object() || !json.contains(name) || !json.at(name).is_number()) return none;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", json.at(name).get<double>());
+  return {text.data()};
+}
+
+PageCell last_of(const RunResult& run, const char* column, int digits) {
+  if (!run.history.has(column)) return none;
+  return {with_digits(run.history[column].back(), digits)};
+}
+
+PageCell kind_of_band(const RunResult& run) {
+  if (run.status != RunStatus::done) return {name_of(run.status), "faint"};
+  return {run.summary.at("band").value("kind", "none")};
+}
+
+/// Between which all but `share` of the values lie.
+Interval range_without_extremes(std::vector<double> values, double share) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return {};
+  std::ranges::sort(values);
+  const auto at = [&](double part) { return values[static_cast<std::size_t>(part * double(values.size() - 1))]; };
+  Extent extent;
+  extent.add(at(share / 2));
+  extent.add(at(1 - share / 2));
+  return extent.interval(0.0);
+}
+
+} // namespace
+
+std::string with_digits(double x, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, x);
+  return text.data();
+}
+
+Plot curves_of(Runs runs, const std::string& title) {
+  Plot plot{.title = title, .x_label = "u/h₀ [%]", .y_label = "mobilised friction angle φ [°]", .series = {}};
+  plot.width = 820;
+  for (const RunResult& run : runs) {
+    if (!run.history.has("u_over_h") || !run.history.has("phi_mob_deg")) continue;
+    Series series{.label = run.label, .x = run.history["u_over_h"], .y = run.history["phi_mob_deg"]};
+    for (double& x : series.x) x *= 100.0;
+    series.id = run.name;
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+PageTable band_table(Runs runs) {
+  PageTable table{.caption =
+                      "Strength, and the shear band at the end of each run. t_s: thickness, by the void ratio as the "
+                      "paper does it, and as the full width at half maximum of the rise of e, and of the rate ‖D‖.",
+                  .header = {"run", "φ peak [°]", "at u/h₀ [%]", "φ residual [°]", "band", "θ [°]", "t_s by e [mm]",
+                             "t_s by e / l_c", "t_s half max. of e [mm]", "t_s half max. of ‖D‖ [mm]", "e inside"},
+                  .rows = {}};
+  for (const RunResult& run : runs) {
+    const ordered_json band = band_of(run);
+    table.rows.push_back(
+        {{{run.label},
+          figure(run.summary, "phi_peak_deg", 1.0, 2),
+          figure(run.summary, "u_over_h_at_peak", 0.01, 2),
+          figure(run.summary, "phi_residual_deg", 1.0, 1),
+          kind_of_band(run),
+          figure(band, "inclination_deg", 1.0, 1),
+          figure(band, "thickness_m", 1e-3, 2),
+          band.value("thickness_over_lc", 0.0) > 0.0 ? figure(band, "thickness_over_lc", 1.0, 1) : none,
+          figure(band, "thickness_fwhm_m", 1e-3, 2),
+          figure(band, "thickness_rate_m", 1e-3, 2),
+          figure(band, "void_ratio_inside", 1.0, 3)},
+         run.name});
+  }
+  return table;
+}
+
+PageTable cost_table(Runs runs) {
+  PageTable table{.caption =
+                      "Energies at the end, per metre of depth, and what the run took. Kinetic over internal energy: "
+                      "the greatest value past u/h₀ = 0.5 %.",
+                  .header = {"run", "internal [J/m]", "external [J/m]", "kinetic/internal", "mass error", "points",
+                             "steps", "wall time [s]", "ns per point and step"},
+                  .rows = {}};
+  for (const RunResult& run : runs)
+    table.rows.push_back({{{run.label},
+                           last_of(run, "internal_J_per_m", 2),
+                           last_of(run, "external_J_per_m", 2),
+                           exponent(run.summary, "kinetic_over_internal_max"),
+                           exponent(run.summary, "mass_error"),
+                           figure(run.summary, "points", 1.0, 0),
+                           figure(run.summary, "steps", 1.0, 0),
+                           figure(run.summary, "wall_s", 1.0, 1),
+                           figure(run.summary, "ns_per_point_step", 1.0, 0)},
+                          run.name});
+  return table;
+}
+
+PageTable settings_table(Runs runs) {
+  PageTable table{.caption = "What the runs differ in.", .header = {"run"}, .rows = {}, .long_text = true};
+  std::vector<std::string> keys;
+  for (const RunResult& run : runs)
+    for (const auto& [key, value] : run.settings)
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  table.header.insert(table.header.end(), keys.begin(), keys.end());
+  table.header.emplace_back("status");
+  for (const RunResult& run : runs) {
+    PageRow row{{{run.label}}, run.name};
+    for (const std::string& key : keys) {
+      const auto found = std::ranges::find(run.settings, key, &Setting::first);
+      row.cells.push_back(found == run.settings.end() ? none : PageCell{found->second});
+    }
+    row.cells.push_back({std::string(name_of(run.status)) + (run.reason.empty() ? "" : ": " + run.reason),
+                         run.status == RunStatus::done ? "" : "differs"});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::optional<double> history_at(const RunResult& run, const std::string& column, double u_over_h) {
+  if (!run.history.has("u_over_h") || !run.history.has(column)) return std::nullopt;
+  const std::vector<double>&x = run.history["u_over_h"], &y = run.history[column];
+  constexpr double round_off = 1e-3; // the last row lies within a step of the final strain
+  if (u_over_h < x.front() || u_over_h > x.back() * (1.0 + round_off)) return std::nullopt;
+  const auto above = std::ranges::lower_bound(x, u_over_h);
+  if (above == x.begin() || above == x.end()) return above == x.end() ? y.back() : y.front();
+  const auto i = static_cast<std::size_t>(above - x.begin());
+  return std::lerp(y[i - 1], y[i], (u_over_h - x[i - 1]) / (x[i] - x[i - 1]));
+}
+
+std::optional<Frame> frame_at(const RunResult& run, double u_over_h) {
+  const auto time = history_at(run, "time_s", u_over_h);
+  const std::vector<FrameFile> files = frame_files(run.folder);
+  if (!time || files.empty() || files.front().path.extension() != ".vtp") return std::nullopt;
+  const auto distance = [&](const FrameFile& file) { return std::abs(file.time - *time); };
+  return read_frame(std::ranges::min_element(files, {}, distance)->path);
+}
+
+double common_strain(Runs runs) {
+  double least = 1.0;
+  for (const RunResult& run : runs)
+    if (run.status == RunStatus::done) least = std::min(least, run.history["u_over_h"].back());
+  return least;
+}
+
+PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h) {
+  PagePictures all{.caption = "Specimens at u/h₀ = " + with_digits(100.0 * u_over_h, 1) + " %.",
+                   .pictures = {},
+                   .label = label,
+                   .range = {}};
+  std::vector<std::pair<const RunResult*, Frame>> frames;
+  for (const RunResult& run : runs) {
+    try {
+      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field))
+        frames.emplace_back(&run, std::move(*frame));
+    } catch (const InputError& error) { all.caption += std::string(" No picture: ") + error.what() + "."; }
+  }
+  if (frames.empty()) return all;
+  std::vector<double> values;
+  std::vector<const Frame*> drawn;
+  for (const auto& [run, frame] : frames) {
+    const std::vector<double> more = FieldColors{field, 0, {}}.values(frame);
+    values.insert(values.end(), more.begin(), more.end());
+    drawn.push_back(&frame);
+  }
+  all.range = range_without_extremes(std::move(values), 2e-3);
+  const Box view = view_of(drawn);
+  constexpr int height = 640;
+  for (const auto& [run, frame] : frames)
+    all.pictures.push_back({field_image(frame, {field, 0, all.range}, view, height), run->label, run->name});
+  all.width_px = static_cast<int>(0.5 * height * (view.right - view.left) / (view.top - view.bottom));
+  return all;
+}
+
+} // namespace riedel

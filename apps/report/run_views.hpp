@@ -1,0 +1,39 @@
+/// What runs of the biaxial test look like on a page.
+#pragma once
+
+#include "apps/campaign/run_result.hpp"
+#include "apps/report/page.hpp"
+#include "core/io/frame.hpp"
+
+#include <optional>
+#include <span>
+
+namespace riedel {
+
+using Runs = std::span<const RunResult>;
+
+/// "%.{digits}f"
+std::string with_digits(double x, int digits);
+
+/// φ over u/h0 of all runs that have a history; their names are the ids.
+Plot curves_of(Runs runs, const std::string& title);
+
+/// Peak, residual angle, and the band at the end.
+PageTable band_table(Runs runs);
+/// Energies, mass, steps and time.
+PageTable cost_table(Runs runs);
+/// What the runs differ in; those that are not done with the reason.
+PageTable settings_table(Runs runs);
+
+/// A value of the history at a strain, by straight lines between rows; none outside of it.
+std::optional<double> history_at(const RunResult& run, const std::string& column, double u_over_h);
+/// The frame nearest to a strain that the run has reached; none where no frames in two dimensions were written.
+std::optional<Frame> frame_at(const RunResult& run, double u_over_h);
+/// The strain that every run with frames has reached.
+double common_strain(Runs runs);
+
+/// A field of all runs that have frames, in colours of one scale, which leaves out the most extreme 0.2 % of the
+/// points.
+PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h);
+
+} // namespace riedel

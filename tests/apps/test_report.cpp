@@ -1,0 +1,169 @@
+/// The page of a campaign: its parts, and what a browser makes of it.
+#include "apps/campaign.hpp"
+#include "apps/report/compare_report.hpp"
+#include "core/base/error.hpp"
+#include "core/io/vtk_reader.hpp"
+#include "core/io/vtk_writer.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace riedel::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Page, LetsEveryTextMeanItself) {
+  Page page("a < b & \"c\"");
+  page.paragraph("<script>alert(1)</script>");
+  page.table({.caption = "1 > 0", .header = {"<i>"}, .rows = {{{{"x & y"}}, "run \"1\""}}});
+  const std::string html = page.html();
+  EXPECT_THAT(html, AllOf(HasSubstr("<title>a &lt; b &amp; &quot;c&quot;</title>"), HasSubstr("&lt;script&gt;alert(1)"),
+                          HasSubstr("<th scope=\"col\" class=\"text\">&lt;i&gt;</th>"),
+                          HasSubstr("<tr data-run=\"run &quot;1&quot;\">"), HasSubstr("x &amp; y")));
+}
+
+TEST(Page, EncodesBytesAsRfc4648Does) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe"), "//4=");
+}
+
+TEST(Page, ListsTheCurvesThatHaveANameAndNoOthers) {
+  Plot plot{.title = "", .x_label = "x", .y_label = "y", .series = {}};
+  plot.series.push_back({.label = "one", .x = {0, 1}, .y = {0, 1}});
+  plot.series.back().id = "run 1";
+  plot.series.push_back({.label = "theory", .x = {0, 1}, .y = {1, 0}});
+  Page page("p");
+  page.plot(plot, "c");
+  EXPECT_THAT(page.html(), AllOf(HasSubstr("<g data-run=\"run 1\">\n<polyline"),
+                                 HasSubstr("aria-pressed=\"false\" data-run=\"run 1\""),
+                                 Not(HasSubstr("data-run=\"theory\"")), HasSubstr(">theory</text>")));
+}
+
+Frame two_squares() {
+  Frame frame{.dimension = 2,
+              .time = 0.5,
+              .u_over_h = 0.03,
+              .position = {0.5, 0.5, 0, 1.5, 0.5, 0},
+              .corners = {},
+              .fields = {}};
+  for (const double x : {0.0, 1.0})
+    frame.corners.insert(frame.corners.end(), {x, 0, 0, x + 1, 0, 0, x + 1, 1, 0, x, 1, 0});
+  frame.fields.push_back({"void_ratio", 1, "-", {0.5, 0.75}});
+  frame.fields.push_back({"velocity", 3, "m/s", {1, 2, 3, 4, 5, 6}});
+  return frame;
+}
+
+TEST(FrameReader, GivesBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  SeriesWriter writer(folder.path());
+  const Frame frame = two_squares();
+  writer.write(frame);
+  writer.write(frame);
+  const auto files = frame_files(folder.path());
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].time, 0.5);
+  const Frame again = read_frame(files[1].path);
+  EXPECT_EQ(again.u_over_h, 0.03);
+  EXPECT_EQ(again.position, frame.position);
+  EXPECT_EQ(again.corners, frame.corners);
+  EXPECT_EQ(again.field("velocity").values, frame.fields[1].values);
+  EXPECT_EQ(again.field("velocity").unit, "m/s");
+}
+
+TEST(FrameReader, NamesTheFileThatIsMissingOrDamaged) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(frame_files(folder.path()).empty());
+  const auto error_of = [](const fs::path& path) -> std::string {
+    try {
+      (void)read_frame(path);
+    } catch (const InputError& error) { return error.what(); }
+    return "";
+  };
+  EXPECT_THAT(error_of(folder / "none.vtp"), HasSubstr("none.vtp: is missing"));
+  SeriesWriter(folder.path()).write(two_squares());
+  const fs::path file = frame_files(folder.path())[0].path;
+  fs::resize_file(file, fs::file_size(file) / 2);
+  EXPECT_THAT(error_of(file), HasSubstr("domains_000000.vtp: is damaged"));
+  folder.file("domains.pvd", "<DataSet timestep=\"x\" file=\"a\"/>\n");
+  EXPECT_THROW((void)frame_files(folder.path()), InputError);
+}
+
+/// What a browser that shows the page at this width finds in it.
+nlohmann::json seen_in_browser(const std::string& browser, const TemporaryFolder& folder, const std::string& html,
+                               int width) {
+  const std::string probe = R"(<script>
+const box = each => each.getBoundingClientRect();
+const seen = {
+  curves: [...document.querySelectorAll("svg g[data-run]")].filter(g => box(g).width > 50 && box(g).height > 20).length,
+  tables: document.querySelectorAll("table").length,
+  rows: document.querySelectorAll("tbody tr").length,
+  images: [...document.images].filter(i => i.complete && i.naturalWidth > 50 && box(i).width > 20).length,
+  width: innerWidth, overflow: document.documentElement.scrollWidth - innerWidth,
+};
+document.querySelector("button[data-run]").click();
+seen.picked = new Set([...document.querySelectorAll(".picked")].map(e => e.dataset.run)).size;
+seen.faded = [...document.querySelectorAll("svg g[data-run]")].filter(g => !g.classList.contains("picked")).length;
+document.querySelector("button[data-run]").click();
+seen.left = document.querySelectorAll(".picked").length;
+document.documentElement.dataset.seen = JSON.stringify(seen);
+</script>)";
+  std::string page = html;
+  page.insert(page.find("</body>"), probe);
+  const std::string path = folder.file("page.html", page), found = (folder / "dom").string();
+  const std::string call =
+      browser + " --headless --no-sandbox --disable-gpu --user-data-dir=" + (folder / "profile").string() +
+      " --window-size=" + std::to_string(width) + ",900 --dump-dom file://" + path + " >" + found + " 2>/dev/null";
+  EXPECT_EQ(std::system(call.c_str()), 0);
+  const std::string dom = file_content(found);
+  const std::size_t start = dom.find("data-seen=\"") + 11;
+  std::string json = dom.substr(start, dom.find('"', start) - start);
+  for (std::size_t at = 0; (at = json.find("&quot;")) != std::string::npos;) json.replace(at, 6, "\"");
+  return nlohmann::json::parse(json);
+}
+
+std::string browser_on_path() {
+  for (const std::string name : {"chromium", "chromium-browser", "google-chrome"})
+    if (std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0) return name;
+  return "";
+}
+
+class Report : public CampaignTest {};
+
+TEST_F(Report, HoldsEveryRunAndNeedsNoNetwork) {
+  ASSERT_EQ(compare({"--schemes", "gimp,linear,bspline3", "--vary", "loading.lateral=virtual_stress,points"}).code, 0);
+  const std::string html = file_content(out_ / "report.html");
+  for (const auto& row : results()) EXPECT_THAT(html, HasSubstr("<tr data-run=\"" + row.at("run") + "\">"));
+  EXPECT_THAT(
+      html, AllOf(HasSubstr("5 of 6 done, 1 refused"), HasSubstr("out of balance"), HasSubstr("riedel compare --out")));
+  for (std::size_t at = 0; (at = html.find("http", at)) != std::string::npos; ++at)
+    EXPECT_EQ(html.substr(at, 26), "http://www.w3.org/2000/svg") << "the name of a language, not a place";
+  EXPECT_THAT(html, Not(HasSubstr("<link")));
+}
+
+TEST_F(Report, IsReadableInABrowserWideAndNarrow) {
+  const std::string browser = browser_on_path();
+  if (browser.empty()) GTEST_SKIP() << "no chromium, chromium-browser or google-chrome here";
+  ASSERT_EQ(compare({"--schemes", "gimp,linear,bspline3"}).code, 0);
+  for (const int width : {1400, 390}) {
+    const nlohmann::json seen = seen_in_browser(browser, folder_, file_content(out_ / "report.html"), width);
+    EXPECT_EQ(seen["curves"], 3) << width;
+    EXPECT_EQ(seen["tables"], 3) << width;
+    EXPECT_EQ(seen["rows"], 9) << width;
+    EXPECT_EQ(seen["images"], 6) << width << ": two fields";
+    EXPECT_LE(seen["overflow"], 0) << "the page scrolls sideways at " << seen["width"];
+    EXPECT_EQ(seen["picked"], 1);
+    EXPECT_EQ(seen["faded"], 2);
+    EXPECT_EQ(seen["left"], 0);
+  }
+}
+
+} // namespace
+} // namespace riedel::test
