@@ -17,6 +17,7 @@ struct BandSample {
   double rise;     ///< e − e0, less the specimen's median [-]
   double rotation; ///< less the specimen's median [rad]
   double shear;    ///< [-] or [1/s]
+  double rate;     ///< ‖D‖, less the specimen's median [1/s]
   int band = 0;    ///< +1, −1: belongs to the band that turns anticlockwise, clockwise; 0: to none
 };
 using BandSamples = std::vector<BandSample>;

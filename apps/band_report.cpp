@@ -1,5 +1,7 @@
 #include "apps/band_report.hpp"
 
+#include "apps/specimen_geometry.hpp"
+
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -8,12 +10,14 @@ namespace riedel {
 ShearBand measure_band(const Frame& frame, const Values& values) {
   if (!frame.has("void_ratio")) return {};
   const std::size_t count = frame.points();
+  const Turn turn(values);
   const auto& e = frame.field("void_ratio").values;
   const auto& J = frame.field("volume_ratio").values;
   std::vector<double> x(count), y(count), e_0(count), rotation = frame.field("polar_rotation").values;
   for (std::size_t p = 0; p < count; ++p) {
-    x[p] = frame.position[3 * p];
-    y[p] = frame.position[3 * p + 1];
+    const Vec<2> place = turn.to_specimen({frame.position[3 * p], frame.position[3 * p + 1]});
+    x[p] = place[0];
+    y[p] = place[1];
     e_0[p] = (1.0 + e[p]) / J[p] - 1.0; // grains keep their volume
     rotation[p] *= std::numbers::pi / 180.0;
   }
@@ -25,7 +29,8 @@ ShearBand measure_band(const Frame& frame, const Values& values) {
                              .void_ratio = e,
                              .initial_void_ratio = e_0,
                              .rotation = rotation,
-                             .shear = frame.field("shear_strain").values},
+                             .shear = frame.field("shear_strain").values,
+                             .rate = frame.field("rate_norm").values},
                             settings);
 }
 
@@ -35,6 +40,7 @@ nlohmann::ordered_json band_json(const ShearBand& band) {
           {"inclination_deg", band.inclination_deg},
           {"thickness_m", band.thickness_m},
           {"thickness_fwhm_m", band.thickness_fwhm_m},
+          {"thickness_rate_m", band.thickness_rate_m},
           {"thickness_over_lc", band.thickness_over_lc},
           {"void_ratio_inside", band.void_ratio_inside},
           {"localisation_ratio", band.localisation_ratio},

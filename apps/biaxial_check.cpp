@@ -5,6 +5,7 @@
 #include "apps/specimen_geometry.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
+#include "apps/void_ratio_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,51 @@ void check_depth(const Values& v, std::vector<Finding>& errors) {
     errors.push_back({{"specimen.depth_cells", "grid.dimensions"},
                       std::to_string(depth) + " means nothing in two dimensions; leave it out, or take "
                                               "grid.dimensions = 3"});
+}
+
+/// Beside rigid points the grid can stand askew; conditions on rows of nodes and forces on columns of points cannot.
+void check_rotation(const Values& v, std::vector<Finding>& errors) {
+  const std::string turned = "specimen.rotation";
+  if (v.number(turned) == 0.0) return;
+  const auto refuse = [&](const char* key, const std::string& what, const std::string& wanted) {
+    errors.push_back(
+        {{key, turned},
+         what + " does not go with a specimen turned by " + exact_text(v.number(turned)) + " deg; take " + wanted});
+  };
+  if (v.text("loading.platen") != "rigid_points") refuse("loading.platen", "\"moving_grid\"", "\"rigid_points\"");
+  if (v.text("loading.lateral") != "virtual_stress") refuse("loading.lateral", "\"points\"", "\"virtual_stress\"");
+  if (dimensions_of_biaxial(v) == 3) refuse("grid.dimensions", "3", "2");
+}
+
+/// The void ratio of every point of a random field must be one that the law allows.
+void check_random_field(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  if (v.number("imperfection.deviation") == 0.0 || !errors.empty()) return;
+  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  if (state_column(law->states(), "void_ratio") < 0) {
+    errors.push_back({{"imperfection.deviation", "material.model"},
+                      "\"" + v.text("material.model") + "\" knows no void ratio that could be random; take 0"});
+    return;
+  }
+  const VoidRatioField field(v);
+  const auto& cells = v.integers("grid.cells");
+  const double width = v.number("specimen.width"), height = v.number("specimen.height");
+  const std::int64_t nx = cells[0] * v.integer("specimen.points_per_cell"),
+                     ny = cells[1] * v.integer("specimen.points_per_cell");
+  Values with = v;
+  for (std::int64_t i = 0; i < nx * ny; ++i) {
+    const Vec<2> x((static_cast<double>(i % nx) + 0.5) * width / static_cast<double>(nx),
+                   (static_cast<double>(i / nx) + 0.5) * height / static_cast<double>(ny));
+    with.set("specimen.void_ratio", v.number("specimen.void_ratio") + field(x));
+    std::vector<Finding> found;
+    check_void_ratio(with, "specimen.void_ratio",
+                     {v.number("loading.confining_pressure"), "loading.confining_pressure", "confining pressure"},
+                     found);
+    if (found.empty()) continue;
+    errors.push_back({{"imperfection.deviation", "imperfection.seed", "specimen.void_ratio"},
+                      "the random field gives the point at (" + rounded(x[0]) + ", " + rounded(x[1]) +
+                          ") m the void ratio " + found.front().text});
+    return;
+  }
 }
 
 /// A sum over points h apart acts like the integral only while h is not much above l_c.
@@ -108,6 +154,8 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   check_depth(values, found.errors);
   check_offered(values, catalogue, dimensions_of_biaxial(values), found.errors);
   check_number_of_points(values, found.errors);
+  check_rotation(values, found.errors);
+  check_random_field(values, catalogue, found.errors);
   check_sides(values, catalogue, found.errors);
   check_spacing(values, found.warnings);
   return found;

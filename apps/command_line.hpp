@@ -11,7 +11,7 @@ namespace riedel {
 
 /// What the user typed behind the sub-command's name.
 struct Arguments {
-  std::string command; ///< all of it, such as "riedel biaxial --threads 1", to be typed again
+  std::string command;            ///< all of it, such as "riedel biaxial --threads 1", to be typed again
   std::vector<std::string> words; ///< those that belong to no option: the case file for most
   std::map<std::string, std::vector<std::string>, std::less<>> options; ///< given ones; a switch has no values
 

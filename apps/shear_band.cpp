@@ -17,15 +17,23 @@ double median(const BandSamples& samples, const Value& value) {
 BandSamples collect(const BandFields& f) {
   BandSamples samples;
   for (std::size_t p = 0; p < f.x.size(); ++p) {
-    const BandSample s{{f.x[p], f.y[p]}, f.volume[p], f.void_ratio[p], f.void_ratio[p] - f.initial_void_ratio[p],
-                       f.rotation[p],    f.shear[p]};
-    if (std::isfinite(s.x.sum() + s.volume + s.rise + s.rotation + s.shear) && s.volume > 0.0) samples.push_back(s);
+    const BandSample s{{f.x[p], f.y[p]},
+                       f.volume[p],
+                       f.void_ratio[p],
+                       f.void_ratio[p] - f.initial_void_ratio[p],
+                       f.rotation[p],
+                       f.shear[p],
+                       f.rate.empty() ? 0.0 : f.rate[p]};
+    if (std::isfinite(s.x.sum() + s.volume + s.rise + s.rotation + s.shear + s.rate) && s.volume > 0.0)
+      samples.push_back(s);
   }
   const double rise = median(samples, [](const BandSample& s) { return s.rise; });
   const double rotation = median(samples, [](const BandSample& s) { return s.rotation; });
+  const double rate = median(samples, [](const BandSample& s) { return s.rate; });
   for (BandSample& s : samples) {
     s.rise -= rise;
     s.rotation -= rotation;
+    s.rate -= rate;
   }
   return samples;
 }
@@ -55,15 +63,16 @@ double dilated_volume(const BandSamples& samples, int band) {
 }
 
 struct Width {
-  double peak = 0.0;              ///< largest mean of e − e0 at one distance from the line [-]
+  double peak = 0.0;              ///< largest mean at one distance from the line
   double left = 0.0, right = 0.0; ///< where it falls to half of that [m]
 };
 
-/// Mean of e − e0 by distance from the line, in bins of half the spacing of points, and where it crosses half its peak.
-Width half_maximum(const BandSamples& beside, const BandLine& line, double spacing) {
+/// Mean of a quantity by distance from the line, in bins of half the spacing of points, and where it crosses half its
+/// peak.
+Width half_maximum(const BandSamples& beside, const BandLine& line, double spacing, double BandSample::*quantity) {
   const double bin = 0.5 * spacing, reach = 4.0 * line.spread + spacing;
   struct Mean {
-    double volume = 0.0, at = 0.0, rise = 0.0;
+    double volume = 0.0, at = 0.0, value = 0.0;
   };
   std::vector<Mean> profile(static_cast<std::size_t>(2.0 * reach / bin) + 1);
   for (const BandSample& s : beside) {
@@ -71,21 +80,21 @@ Width half_maximum(const BandSamples& beside, const BandLine& line, double spaci
     Mean& mean = profile[static_cast<std::size_t>((line.across(s) + reach) / bin)];
     mean.volume += s.volume;
     mean.at += s.volume * line.across(s);
-    mean.rise += s.volume * s.rise;
+    mean.value += s.volume * s.*quantity;
   }
   std::erase_if(profile, [](const Mean& m) { return m.volume <= 0.0; });
   if (profile.empty()) return {};
-  for (Mean& m : profile) m = {m.volume, m.at / m.volume, m.rise / m.volume};
+  for (Mean& m : profile) m = {m.volume, m.at / m.volume, m.value / m.volume};
 
-  const auto top = std::ranges::max_element(profile, {}, &Mean::rise);
-  const double half = 0.5 * top->rise;
+  const auto top = std::ranges::max_element(profile, {}, &Mean::value);
+  const double half = 0.5 * top->value;
   const auto crossing = [&](auto inside, auto end) { // from the peak outwards
     for (auto outside = std::next(inside); outside != end; inside = outside++)
-      if (outside->rise < half)
-        return std::lerp(inside->at, outside->at, (inside->rise - half) / (inside->rise - outside->rise));
+      if (outside->value < half)
+        return std::lerp(inside->at, outside->at, (inside->value - half) / (inside->value - outside->value));
     return inside->at;
   };
-  return {top->rise, crossing(std::make_reverse_iterator(std::next(top)), profile.rend()),
+  return {top->value, crossing(std::make_reverse_iterator(std::next(top)), profile.rend()),
           crossing(top, profile.end())};
 }
 
@@ -118,12 +127,14 @@ ShearBand measure(const BandSamples& samples, int side, const BandSettings& sett
   const BandSamples beside = select(samples, [&](const BandSample& s) { return s.band != -side && line.beside(s); });
   const double spacing = std::sqrt(area_and_void_ratio(samples, [](const BandSample&) { return true; }).first /
                                    static_cast<double>(samples.size()));
-  const Width width = half_maximum(beside, line, spacing);
+  const Width width = half_maximum(beside, line, spacing, &BandSample::rise);
+  const Width of_rate = half_maximum(beside, line, spacing, &BandSample::rate);
 
   band.inclination_deg = std::abs(line.angle) * 180.0 / std::numbers::pi;
   band.rises_to_the_right = line.angle > 0.0;
   band.straight_length_m = line.end - line.begin;
   band.thickness_fwhm_m = width.right - width.left;
+  if (of_rate.peak > 0.0) band.thickness_rate_m = of_rate.right - of_rate.left;
   band.found = is_band(samples, band, width, settings);
 
   const double outside = median(samples, [](const BandSample& s) { return s.e; });

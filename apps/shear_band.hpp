@@ -14,6 +14,7 @@ struct BandFields {
   std::span<const double> initial_void_ratio; ///< e0 [-]
   std::span<const double> rotation;           ///< of the point since the start, anticlockwise positive [rad]
   std::span<const double> shear;              ///< accumulated shear strain [-], or the norm of its rate [1/s]
+  std::span<const double> rate = {};          ///< ‖D‖ at this instant [1/s]; empty: not known
 };
 
 struct BandSettings {
@@ -34,6 +35,7 @@ struct ShearBand {
   bool rises_to_the_right = false; ///< else to the left
   double thickness_m = 0.0;        ///< the paper's way: area with e above the threshold over length [m]
   double thickness_fwhm_m = 0.0;   ///< full width at half maximum of the dilation across the band [m]
+  double thickness_rate_m = 0.0;   ///< full width at half maximum of ‖D‖ across the band; 0: not known [m]
   double thickness_over_lc = 0.0;  ///< thickness_m / l_c; 0 for a local law [-]
   double threshold = 0.0;          ///< void ratio that thickness_m counts from [-]
   double void_ratio_inside = 0.0;  ///< mean e over the middle half of the width [-]

@@ -2,6 +2,7 @@
 
 #include "apps/specimen_boundaries.hpp"
 #include "apps/step_keys.hpp"
+#include "apps/void_ratio_field.hpp"
 
 #include <numbers>
 
@@ -37,6 +38,7 @@ struct Imperfection {
 template <int Dim>
 void set_initial_state(Body<Dim>& body, const Values& v) {
   const Imperfection patch(v);
+  const VoidRatioField field(v);
   const int e = state_column(body.material->states(), "void_ratio");
   const double e_0 = v.number("specimen.void_ratio"), pressure = v.number("loading.confining_pressure");
   Points<Dim>& points = body.points;
@@ -47,7 +49,8 @@ void set_initial_state(Body<Dim>& body, const Values& v) {
   };
   const double weight = density_at(e_0) * v.number("loading.gravity");
   for (Index p = 0; p < points.size(); ++p) {
-    const double void_ratio = patch.contains(points.position_of(p)) ? patch.void_ratio : e_0;
+    const Vec<Dim> x = points.position_of(p);
+    const double void_ratio = patch.contains(x) ? patch.void_ratio : e_0 + field(x.template head<2>());
     points.mass[0][p] = density_at(void_ratio) * points.volume[0][p];
     for (std::size_t s = 0; s < state.size(); ++s) points.state[static_cast<int>(s)][p] = state[s];
     points.stress[0][p] = points.stress[2][p] = -pressure;
@@ -76,9 +79,9 @@ Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Model<Dim> model;
   model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
   set_step(model, v);
-  model.gravity[1] = -v.number("loading.gravity");
 
   const SpecimenGeometry<Dim> specimen(v, *model.scheme);
+  model.gravity.template head<2>() = -v.number("loading.gravity") * specimen.turn.rotation.col(1);
   const std::string& law = v.text("material.model");
   State<Dim> state;
   state.grid = specimen.grid();
@@ -88,6 +91,7 @@ Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
   fill_box<Dim>(body.points, specimen.cells, specimen.cell, static_cast<Index>(v.integer("specimen.points_per_cell")),
                 Vec<Dim>::Zero(), state_components(body.material->states()));
   set_initial_state(body, v);
+  if (!specimen.turn.is_none) turn_points(body.points, specimen.turn);
   set_averager(body, v, catalogue);
 
   set_lateral_pressure(model, body.points, specimen, v);

@@ -19,10 +19,12 @@ SurfaceTraction<Dim> side_pressure(const SpecimenGeometry<Dim>& specimen, const 
   return load;
 }
 
-/// Reaches over the sides as far as its own points' supports allow, and over the depth by a cell.
+/// Two layers of rigid points, from the specimen's row of cells `row` upwards. Reaches over the sides as far as its own
+/// points' supports allow, and over the depth by a cell.
 template <int Dim>
-RigidBody<Dim> rigid_platen(const SpecimenGeometry<Dim>& specimen, const std::function<double(double)>& velocity) {
-  RigidBody<Dim> platen{.name = "top", .axis = 1, .velocity = velocity};
+RigidBody<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& specimen, Index row,
+                            const std::function<double(double)>& velocity) {
+  RigidBody<Dim> platen{.name = name, .axis = 1, .velocity = velocity};
   Counts<Dim> overhang{}, cells = specimen.cells;
   overhang[0] = std::max<Index>(specimen.margin_below[0] - 4, 0);
   if constexpr (Dim == 3) overhang[2] = 1;
@@ -30,10 +32,28 @@ RigidBody<Dim> rigid_platen(const SpecimenGeometry<Dim>& specimen, const std::fu
   Vec<Dim> corner;
   for (int a = 0; a < Dim; ++a) {
     cells[a] += 2 * overhang[a];
-    corner[a] = a == 1 ? specimen.size[1] : -overhang[a] * specimen.cell[a];
+    corner[a] = (a == 1 ? row : -overhang[a]) * specimen.cell[a];
   }
   fill_box<Dim>(platen.points, cells, specimen.cell, 1, corner, 0);
   return platen;
+}
+
+/// The bottom at rest, its middle held sideways, and the top, in the directions of the turned specimen.
+template <int Dim>
+void set_turned_platens(State<Dim>& state, const SpecimenGeometry<Dim>& s, const std::function<double(double)>& still,
+                        const std::function<double(double)>& down) {
+  if constexpr (Dim == 2) {
+    state.rigid_bodies.push_back(rigid_platen<2>("bottom", s, -2, still));
+    RigidBody<2> pin{.name = "pin", .axis = 0, .velocity = still};
+    fill_box<2>(pin.points, {1, 1}, s.cell, 1, Vec<2>(0.5 * (s.size[0] - s.cell[0]), -0.5 * s.cell[1]), 0);
+    state.rigid_bodies.push_back(std::move(pin));
+    state.rigid_bodies.push_back(rigid_platen<2>("top", s, s.cells[1], down));
+    for (RigidBody<2>& body : state.rigid_bodies) {
+      turn_points<2>(body.points, s.turn);
+      body.direction = s.turn.rotation.col(body.axis);
+      body.axis = oblique;
+    }
+  }
 }
 
 } // namespace
@@ -42,6 +62,7 @@ template <int Dim>
 void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& s, const Values& v) {
   const auto still = [](double) { return 0.0; };
   const auto down = ramped(-v.number("loading.speed"), v.number("loading.ramp_time"));
+  if (!s.turn.is_none) return set_turned_platens<Dim>(state, s, still, down);
   Counts<Dim> end = state.grid.nodes;
   for (Index& n : end) --n;
   // Rows of nodes from side to side. Those beyond a platen or a wall move with it, so that a domain reaching past the
@@ -63,7 +84,7 @@ void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Di
     model.conditions.push_back(rows("front", 2, s.margin_below[2] + s.cells[2], end[2], still));
   }
   if (v.text("loading.platen") == "rigid_points") {
-    state.rigid_bodies.push_back(rigid_platen(s, down));
+    state.rigid_bodies.push_back(rigid_platen<Dim>("top", s, s.cells[1], down));
   } else {
     model.conditions.push_back(rows("top", 1, top, end[1], down));
     model.moving_grids.push_back({.axis = 1, .fixed_row = bottom, .moving_row = top, .platen = "top"});

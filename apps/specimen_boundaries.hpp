@@ -6,9 +6,10 @@
 
 namespace riedel {
 
-/// Smooth platens, of which the upper one moves, and in three dimensions smooth walls.
+/// Smooth platens, of which the upper one moves, and in three dimensions smooth walls. Of a turned specimen both
+/// platens, and the point that holds the middle of the lower one sideways, are rigid bodies.
 /// @param model receives conditions and, for a platen that the grid follows, the moving grid
-/// @param state receives the rigid body, for a platen of rigid points
+/// @param state receives the rigid bodies
 template <int Dim>
 void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& specimen, const Values& values);
 

@@ -1,6 +1,9 @@
 #include "apps/specimen_geometry.hpp"
 
+#include "core/base/tensor.hpp"
+
 #include <cmath>
+#include <numbers>
 
 namespace riedel {
 
@@ -12,8 +15,37 @@ double specimen_depth(const Values& values) {
   return cell * values.number("specimen.depth_cells");
 }
 
+Turn::Turn(const Values& v)
+    : centre(0.5 * v.number("specimen.width"), 0.5 * v.number("specimen.height")),
+      is_none(v.number("specimen.rotation") == 0.0) {
+  const double angle = v.number("specimen.rotation") * std::numbers::pi / 180.0;
+  rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  if (is_none) rotation.setIdentity();
+}
+
 template <int Dim>
-SpecimenGeometry<Dim>::SpecimenGeometry(const Values& v, const ShapeFunction<Dim>& scheme) {
+void turn_points(Points<Dim>& points, const Turn& turn) {
+  if constexpr (Dim == 2) {
+    const Mat<2>& R = turn.rotation;
+    for (Index p = 0; p < points.size(); ++p) {
+      const Vec<2> x = turn.to_grid(points.position_of(p));
+      const Mat<2> F = R * points.deformation_gradient_of(p);
+      Mat<2> stress;
+      const double shear = points.stress[3][p] / std::numbers::sqrt2;
+      stress << points.stress[0][p], shear, shear, points.stress[1][p];
+      stress = (R * stress * R.transpose()).eval();
+      for (int i = 0; i < 2; ++i) {
+        points.position[i][p] = x[i];
+        points.stress[i][p] = stress(i, i);
+        for (int j = 0; j < 2; ++j) points.deformation_gradient[i * 2 + j][p] = F(i, j);
+      }
+      points.stress[3][p] = std::numbers::sqrt2 * stress(0, 1);
+    }
+  }
+}
+
+template <int Dim>
+SpecimenGeometry<Dim>::SpecimenGeometry(const Values& v, const ShapeFunction<Dim>& scheme) : turn(v) {
   size[0] = v.number("specimen.width");
   size[1] = v.number("specimen.height");
   for (int a = 0; a < 2; ++a) cells[a] = static_cast<Index>(v.integers("grid.cells")[static_cast<std::size_t>(a)]);
@@ -28,6 +60,7 @@ SpecimenGeometry<Dim>::SpecimenGeometry(const Values& v, const ShapeFunction<Dim
   margin_below[0] += static_cast<Index>(std::ceil(sideways / cell[0]));
   margin_above = margin_below;
   if (v.text("loading.platen") == "rigid_points") margin_above[1] += 3;
+  if (!turn.is_none) margin_below[1] += 3;
 }
 
 template <int Dim>
@@ -37,6 +70,19 @@ Grid<Dim> SpecimenGeometry<Dim>::grid() const {
   for (int a = 0; a < Dim; ++a) {
     grid.origin[a] = -margin_below[a] * cell[a];
     grid.nodes[a] = cells[a] + margin_below[a] + margin_above[a] + 1;
+  }
+  if (turn.is_none) return grid;
+  if constexpr (Dim == 2) { // the least grid that holds the specimen and its margins
+    Vec<2> low = turn.centre, high = turn.centre;
+    for (const double x : {-margin_below[0] * cell[0], size[0] + margin_above[0] * cell[0]})
+      for (const double y : {-margin_below[1] * cell[1], size[1] + margin_above[1] * cell[1]}) {
+        low = low.cwiseMin(turn.to_grid({x, y}));
+        high = high.cwiseMax(turn.to_grid({x, y}));
+      }
+    for (int a = 0; a < 2; ++a) {
+      grid.origin[a] = std::floor(low[a] / cell[a]) * cell[a];
+      grid.nodes[a] = static_cast<Index>(std::ceil((high[a] - grid.origin[a]) / cell[a])) + 1;
+    }
   }
   return grid;
 }
@@ -57,6 +103,8 @@ void fill_box(Points<Dim>& points, const Counts<Dim>& cells, const Vec<Dim>& cel
   }
 }
 
+template void turn_points<2>(Points<2>&, const Turn&);
+template void turn_points<3>(Points<3>&, const Turn&);
 template struct SpecimenGeometry<2>;
 template struct SpecimenGeometry<3>;
 template void fill_box<2>(Points<2>&, const Counts<2>&, const Vec<2>&, Index, const Vec<2>&, int);

@@ -11,13 +11,30 @@ int dimensions_of_biaxial(const Values& values);
 /// Depth of the slab [m]; in two dimensions 1, because all that is told there is per metre of it.
 double specimen_depth(const Values& values);
 
-/// What follows from the case's numbers. The specimen's lower corner is the origin.
+/// How the specimen lies in the grid: turned about its middle by specimen.rotation.
+struct Turn {
+  Vec<2> centre;        ///< [m]
+  Mat<2> rotation;      ///< from the specimen's axes to the grid's
+  bool is_none = false; ///< to the bit
+
+  explicit Turn(const Values& values);
+  [[nodiscard]] Vec<2> to_grid(const Vec<2>& x) const { return centre + rotation * (x - centre); }
+  [[nodiscard]] Vec<2> to_specimen(const Vec<2>& x) const { return centre + rotation.transpose() * (x - centre); }
+};
+
+/// Turns points, their domains and stresses with the specimen.
+template <int Dim>
+void turn_points(Points<Dim>& points, const Turn& turn);
+
+/// What follows from the case's numbers. In its own axes the specimen's lower corner is the origin.
 template <int Dim>
 struct SpecimenGeometry {
   Vec<Dim> size;                          ///< b0, h0 and the depth [m]
   Counts<Dim> cells;                      ///< over the specimen
   Vec<Dim> cell;                          ///< h [m]
   Counts<Dim> margin_below, margin_above; ///< cells of the grid beside the specimen, along each axis
+
+  Turn turn;
 
   SpecimenGeometry(const Values& values, const ShapeFunction<Dim>& scheme);
   [[nodiscard]] Grid<Dim> grid() const;

@@ -30,19 +30,19 @@ std::vector<double> shares_of(const Grid<Dim>& grid, const LinearMotion& linear,
 
 /// The one velocity that leaves the nodes' momentum along their motion as it is.
 template <int Dim>
-double common_velocity(const Nodes<Dim>& nodes, const HeldNodes& held) {
+double common_velocity(const Nodes<Dim>& nodes, const HeldNodes<Dim>& held) {
   double momentum = 0.0, mass = 0.0;
   for (std::size_t k = 0; k < held.nodes.size(); ++k) {
     const Index i = held.nodes[k];
     const double m = nodes.sums[i].mass * held.share(k);
-    momentum += m * nodes.motion[i].velocity[held.axis];
+    momentum += m * held.along(nodes.motion[i].velocity);
     mass += m * held.share(k);
   }
   return mass > 0.0 ? momentum / mass : 0.0;
 }
 
 template <int Dim>
-double velocity_of(const Nodes<Dim>& nodes, const HeldNodes& held, double time) {
+double velocity_of(const Nodes<Dim>& nodes, const HeldNodes<Dim>& held, double time) {
   return held.velocity ? held.velocity(time) : common_velocity(nodes, held);
 }
 } // namespace
@@ -92,12 +92,20 @@ void bind_conditions(State<Dim>& state, const std::vector<NodeCondition<Dim>>& c
   state.grid.walls = walls_of(state.grid, conditions);
   state.held.clear();
   for (const NodeCondition<Dim>& c : conditions) {
-    state.held.push_back({.name = c.name, .axis = c.axis, .nodes = nodes_of(state.grid, c), .velocity = c.velocity});
-    if (c.linear) state.held.back().shares = shares_of(state.grid, *c.linear, state.held.back().nodes);
+    HeldNodes<Dim>& held = state.held.emplace_back();
+    held.name = c.name;
+    held.axis = c.axis;
+    held.nodes = nodes_of(state.grid, c);
+    held.velocity = c.velocity;
+    if (c.linear) held.shares = shares_of(state.grid, *c.linear, held.nodes);
   }
   for (const RigidBody<Dim>& body : state.rigid_bodies) {
-    state.held.push_back({.name = body.name, .axis = body.axis, .nodes = {}, .velocity = body.velocity});
-    state.held.back().nodes.reserve(static_cast<std::size_t>(state.grid.node_count()));
+    HeldNodes<Dim>& held = state.held.emplace_back();
+    held.name = body.name;
+    held.axis = body.axis;
+    held.direction = body.direction;
+    held.velocity = body.velocity;
+    held.nodes.reserve(static_cast<std::size_t>(state.grid.node_count()));
   }
 }
 
@@ -122,22 +130,27 @@ void find_rigid_nodes(State<Dim>& state, const ShapeFunction<Dim>& scheme) {
 
 template <int Dim>
 void move_rigid_points(State<Dim>& state, double time, double dt) {
-  for (RigidBody<Dim>& body : state.rigid_bodies)
-    for (Index p = 0; p < body.points.size(); ++p) body.points.position[body.axis][p] += dt * body.velocity(time);
+  for (RigidBody<Dim>& body : state.rigid_bodies) {
+    const Vec<Dim> direction = body.axis == oblique ? body.direction : Vec<Dim>(Vec<Dim>::Unit(body.axis));
+    const double way = dt * body.velocity(time);
+    for (int a = 0; a < Dim; ++a)
+      if (direction[a] != 0.0)
+        for (Index p = 0; p < body.points.size(); ++p) body.points.position[a][p] += way * direction[a];
+  }
 }
 
 template <int Dim>
 void hold_nodes(State<Dim>& state, double time, double dt) {
-  for (HeldNodes& held : state.held) {
+  for (HeldNodes<Dim>& held : state.held) {
     held.speed = velocity_of(state.nodes, held, time);
     double impulse = 0.0;
     for (std::size_t k = 0; k < held.nodes.size(); ++k) {
       const Index i = held.nodes[k];
       NodeMotion<Dim>& motion = state.nodes.motion[i];
-      const double v = held.share(k) * held.speed, change = v - motion.velocity[held.axis];
+      const double v = held.share(k) * held.speed, change = v - held.along(motion.velocity);
       impulse += held.share(k) * state.nodes.sums[i].mass * change;
-      motion.velocity[held.axis] = v;
-      motion.acceleration[held.axis] += change / dt;
+      held.set(motion.velocity, v);
+      held.add(motion.acceleration, change / dt);
     }
     held.reaction = impulse / dt;
     state.boundary_work += impulse * held.speed;
@@ -146,10 +159,10 @@ void hold_nodes(State<Dim>& state, double time, double dt) {
 
 template <int Dim>
 void hold_velocities(State<Dim>& state, double time) {
-  for (const HeldNodes& held : state.held) {
+  for (const HeldNodes<Dim>& held : state.held) {
     const double v = velocity_of(state.nodes, held, time);
     for (std::size_t k = 0; k < held.nodes.size(); ++k)
-      state.nodes.motion[held.nodes[k]].velocity[held.axis] = held.share(k) * v;
+      held.set(state.nodes.motion[held.nodes[k]].velocity, held.share(k) * v);
   }
 }
 

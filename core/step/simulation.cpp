@@ -117,8 +117,8 @@ Energies Simulation<Dim>::energies() const {
 }
 
 template <int Dim>
-const HeldNodes& Simulation<Dim>::held(std::string_view name) const {
-  for (const HeldNodes& held : state_.held)
+const HeldNodes<Dim>& Simulation<Dim>::held(std::string_view name) const {
+  for (const HeldNodes<Dim>& held : state_.held)
     if (held.name == name) return held;
   throw std::out_of_range("no held nodes are called '" + std::string(name) + "'");
 }

@@ -31,7 +31,7 @@ public:
   [[nodiscard]] std::int64_t out_of_bounds() const { return out_of_bounds_; } ///< most points at once so far
   [[nodiscard]] Energies energies() const;
   /// The held nodes called `name`: their velocity and the force that it took in the last step.
-  [[nodiscard]] const HeldNodes& held(std::string_view name) const;
+  [[nodiscard]] const HeldNodes<Dim>& held(std::string_view name) const;
 
 private:
   void survey_bodies();

@@ -1,0 +1,32 @@
+/// A random field of void ratios, the same at a place whatever the grid and its points.
+#pragma once
+
+#include "core/base/parameters.hpp"
+#include "core/base/types.hpp"
+
+#include <vector>
+
+namespace riedel {
+
+/// Gaussian, of mean zero, with the covariance σ² exp(−r²/λ²) between two places r apart, in the limit of many modes:
+/// e(x) = σ √(2/M) Σ_m cos(k_m·x + φ_m), the components of k_m normal with deviation √2/λ, φ_m uniform (the spectral
+/// method of Shinozuka & Deodatis 1991, with wave numbers drawn at random). It does not vary over the depth.
+class VoidRatioField {
+public:
+  /// From imperfection.deviation σ, .correlation_length λ [m] and .seed.
+  explicit VoidRatioField(const Values& values);
+
+  [[nodiscard]] bool is_uniform() const { return modes_.empty(); }
+  /// What the void ratio at a place has above the mean [-].
+  [[nodiscard]] double operator()(const Vec<2>& x) const;
+
+private:
+  struct Mode {
+    Vec<2> k;     ///< [1/m]
+    double phase; ///< [rad]
+  };
+  double amplitude_ = 0.0;
+  std::vector<Mode> modes_;
+};
+
+} // namespace riedel
