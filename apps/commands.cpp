@@ -99,6 +99,30 @@ Examples
 )";
 }
 
+Options reproduce_options() {
+  Options options = case_options();
+  options.push_back({"figure", "N,M", "of 2, 3, 4, 5, 7, 8, 9, 10; default: all"});
+  options.push_back({"scheme", "NAME", "interpolation scheme of Figures 7 to 10; default: gimp"});
+  options.push_back({"out", "DIR", "folder of runs, pictures and report; default: results/reproduce/ and the scheme"});
+  options.push_back({"threads", "N", "of all runs together; default: all of the machine"});
+  options.push_back(
+      {"document", "FILE.md", "put the verdicts between <!-- riedel reproduce --> and <!-- riedel reproduce ends -->"});
+  options.push_back({"force", "", "remove the runs that the folder holds, and start anew"});
+  return options;
+}
+
+std::string reproduce_help() {
+  return R"(The paper is Krzyżanowski, Wójcik and Tejchman (2020). Figures 2 to 5 are element tests at one point; 7 to 10 are runs
+of the biaxial test, several at once: three meshes with two time steps each, seven characteristic lengths, three void
+ratios. report.html sets every statement of the paper's text beside what was measured and what theory says. Stopped, or
+killed, it goes on when the same command is given again.
+
+Examples
+  riedel reproduce
+  riedel reproduce --figure 8,9 --scheme cpdi
+)";
+}
+
 std::string umat_check_help() {
   return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
 check.strain are the start and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its answer
@@ -139,6 +163,8 @@ const std::vector<Command>& commands() {
        "The same case under many schemes and settings, several at once, with a report.", 1, compare_options(), compare,
        compare_help},
       {"collect", "DIR", "The results of a campaign that was run by script, or not to its end.", 1, {}, collect},
+      {"reproduce", "[options]", "The paper, figure by figure, with its statements beside what comes out.", 0,
+       reproduce_options(), reproduce, reproduce_help},
       {"check", "[CASE.toml] [options]",
        "Checks a case, tells all errors at once, or prints it with every key in force.", 1, check_options(), check,
        biaxial_keys_help},

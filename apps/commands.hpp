@@ -13,6 +13,7 @@ int bench(const Arguments& arguments);
 int verify(const Arguments& arguments);
 int compare(const Arguments& arguments);
 int collect(const Arguments& arguments);
+int reproduce(const Arguments& arguments);
 int umat_check(const Arguments& arguments);
 
 /// The keys of `riedel umat-check`.

@@ -1,7 +1,6 @@
 #include "apps/element_pictures.hpp"
 
 #include "core/base/error.hpp"
-#include "core/io/plot.hpp"
 
 #include <algorithm>
 
@@ -66,10 +65,10 @@ bool shows(const PictureOf& picture, const Table& table) {
 
 } // namespace
 
-std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
-                                      const std::string& subject, const std::filesystem::path& folder) {
+std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                       const std::string& subject) {
   const std::string test = curves.front().curve.test;
-  std::vector<std::string> names;
+  std::vector<ElementPlot> plots;
   for (const PictureOf& picture : pictures_of(test)) {
     Plot plot{.title = title_of(test) + subject,
               .x_label = picture.x.label,
@@ -85,8 +84,17 @@ std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, con
                              .y = scaled(overlay->table[picture.y.column], picture.y.unit),
                              .style = Style::dots,
                              .color = black});
-    write_png(folder / picture.file, plot);
-    names.push_back(picture.file);
+    plots.push_back({picture.file, std::move(plot)});
+  }
+  return plots;
+}
+
+std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                      const std::string& subject, const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const ElementPlot& each : element_plots(curves, overlay, subject)) {
+    write_png(folder / each.file, each.plot);
+    names.push_back(each.file);
   }
   return names;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/element_curve.hpp"
+#include "core/io/plot.hpp"
 #include "core/io/table.hpp"
 
 #include <optional>
@@ -20,8 +21,17 @@ struct Overlay {
   Table table; ///< columns named as in element.csv
 };
 
+/// A picture and the name of its file.
+struct ElementPlot {
+  std::string file;
+  Plot plot;
+};
 /// @param curves of one test   @param subject behind the test's name in the title
-/// @return the names of the files, PNG; pictures for which the overlay has no columns leave it out
+/// @return all that change; those for which the overlay has no columns leave it out
+std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                       const std::string& subject);
+
+/// The same as PNG files. @return their names
 std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
                                       const std::string& subject, const std::filesystem::path& folder);
 

@@ -2,9 +2,9 @@
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/marked_document.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
-#include "apps/verify/document.hpp"
 #include "apps/verify/report.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/progress.hpp"
@@ -72,8 +72,8 @@ int verify(const Arguments& arguments) {
   const Names schemes = arguments.names("schemes", all_schemes, all_schemes);
   const Names problems = arguments.names("problems", all_problems, all_problems);
   const int points = arguments.integer("points", 0, 1, 10);
-  std::optional<VerifyDocument> document;
-  if (const auto path = arguments.text("document")) document.emplace(*path);
+  std::optional<MarkedDocument> document;
+  if (const auto path = arguments.text("document")) document.emplace(*path, "riedel verify");
   const std::filesystem::path folder = arguments.out("results/verify");
   const Interrupt interrupt;
   prepare_output_folder(folder, arguments.force());

@@ -172,31 +172,39 @@ double common_strain(Runs runs) {
   return least;
 }
 
+Interval field_range(std::span<const Frame> frames, const std::string& field) {
+  std::vector<double> values;
+  for (const Frame& frame : frames) {
+    const std::vector<double> more = FieldColors{field, 0, {}}.values(frame);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return range_without_extremes(std::move(values), 2e-3);
+}
+
 PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h) {
   PagePictures all{.caption = "Specimens at u/h₀ = " + with_digits(100.0 * u_over_h, 1) + " %.",
                    .pictures = {},
                    .label = label,
                    .range = {}};
-  std::vector<std::pair<const RunResult*, Frame>> frames;
+  std::vector<const RunResult*> shown;
+  std::vector<Frame> frames;
   for (const RunResult& run : runs) {
     try {
-      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field))
-        frames.emplace_back(&run, std::move(*frame));
+      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field)) {
+        shown.push_back(&run);
+        frames.push_back(std::move(*frame));
+      }
     } catch (const InputError& error) { all.caption += std::string(" No picture: ") + error.what() + "."; }
   }
   if (frames.empty()) return all;
-  std::vector<double> values;
+  all.range = field_range(frames, field);
   std::vector<const Frame*> drawn;
-  for (const auto& [run, frame] : frames) {
-    const std::vector<double> more = FieldColors{field, 0, {}}.values(frame);
-    values.insert(values.end(), more.begin(), more.end());
-    drawn.push_back(&frame);
-  }
-  all.range = range_without_extremes(std::move(values), 2e-3);
+  for (const Frame& frame : frames) drawn.push_back(&frame);
   const Box view = view_of(drawn);
   constexpr int height = 640;
-  for (const auto& [run, frame] : frames)
-    all.pictures.push_back({field_image(frame, {field, 0, all.range}, view, height), run->label, run->name});
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    all.pictures.push_back(
+        {field_image(frames[i], {field, 0, all.range}, view, height), shown[i]->label, shown[i]->name});
   all.width_px = static_cast<int>(0.5 * height * (view.right - view.left) / (view.top - view.bottom));
   return all;
 }

@@ -32,8 +32,9 @@ std::optional<Frame> frame_at(const RunResult& run, double u_over_h);
 /// The strain that every run with frames has reached.
 double common_strain(Runs runs);
 
-/// A field of all runs that have frames, in colours of one scale, which leaves out the most extreme 0.2 % of the
-/// points.
+/// One range for a field of several frames, without the most extreme 0.2 % of the points.
+Interval field_range(std::span<const Frame> frames, const std::string& field);
+/// A field of all runs that have frames, in colours of that range.
 PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h);
 
 } // namespace riedel

@@ -41,6 +41,13 @@ public:
     }
     return *this;
   }
+  /// Rates of a band along the same line, on top of a specimen that deforms a little everywhere [1/s].
+  Specimen& rates(double angle_deg, double x, double y, const std::function<double(double)>& profile) {
+    const double angle = angle_deg * std::numbers::pi / 180.0;
+    for (std::size_t p = 0; p < x_.size(); ++p)
+      rate_.push_back(0.1 + 20.0 * profile(std::cos(angle) * (y_[p] - y) - std::sin(angle) * (x_[p] - x)));
+    return *this;
+  }
   /// Removes all bands where `where(x, y)` holds.
   Specimen& wipe(const std::function<bool(double, double)>& where) {
     for (std::size_t p = 0; p < x_.size(); ++p) {
@@ -81,11 +88,11 @@ public:
     return *this;
   }
   [[nodiscard]] ShearBand measure(const BandSettings& settings = {.length = 1.5e-3}) const {
-    return measure_shear_band({x_, y_, volume_, e_, e0_, rotation_, shear_}, settings);
+    return measure_shear_band({x_, y_, volume_, e_, e0_, rotation_, shear_, rate_}, settings);
   }
 
 private:
-  std::vector<double> x_, y_, volume_, e_, e0_, rotation_, shear_;
+  std::vector<double> x_, y_, volume_, e_, e0_, rotation_, shear_, rate_;
 };
 
 std::function<double(double)> gaussian(double width) { ///< @param width at half maximum [m]
@@ -255,6 +262,19 @@ TEST(ShearBand, IsNotAHeapOfPointsInOnePlace) {
   std::fill_n(e.begin(), 20, 0.8);
   std::fill_n(rotation.begin(), 20, 0.1);
   expect_none(measure_shear_band({place, place, one, e, e0, rotation, one}, {.least_ratio = 0.0}));
+}
+
+TEST(ShearBand, HasAWidthByItsRateThatNeedNotBeThatOfItsDilation) {
+  for (const Mesh mesh : meshes)
+    for (const double width : {4e-3, 5.2e-3, 7.5e-3}) {
+      Specimen specimen(mesh.columns, mesh.rows);
+      specimen.band(56.0, 0.02, 0.1, 0.27, gaussian(7e-3)).rates(56.0, 0.02, 0.1, gaussian(width));
+      EXPECT_NEAR(specimen.measure().thickness_rate_m, width, 0.05 * width) << mesh.columns;
+      EXPECT_NEAR(specimen.measure().thickness_fwhm_m, 7e-3, 0.04 * 7e-3);
+    }
+  Specimen without(24, 84);
+  without.band(56.0, 0.02, 0.1, 0.27, gaussian(7e-3));
+  EXPECT_EQ(without.measure().thickness_rate_m, 0.0) << "not known";
 }
 
 TEST(ShearBand, IsNotInAnEmptySpecimen) { expect_none(measure_shear_band({})); }

@@ -1,0 +1,140 @@
+#include "apps/reproduce/paper_results.hpp"
+
+#include "apps/band_report.hpp"
+#include "core/io/vtk_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace riedel {
+
+namespace {
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+} // namespace
+
+PaperResults::PaperResults(std::vector<RunResult> runs, Figures figures, const Values& paper_case)
+    : runs_(std::move(runs)), figures_(std::move(figures)), case_(paper_case) {}
+
+const RunResult* PaperResults::done(const std::string& name) const {
+  const auto found = std::ranges::find(runs_, name, &RunResult::name);
+  return found == runs_.end() || found->status != RunStatus::done ? nullptr : &*found;
+}
+
+std::vector<RunResult> PaperResults::some(const std::vector<std::string>& names) const {
+  std::vector<RunResult> found;
+  for (const std::string& name : names)
+    if (const auto run = std::ranges::find(runs_, name, &RunResult::name); run != runs_.end()) found.push_back(*run);
+  return found;
+}
+
+double PaperResults::figure(const std::string& run, const std::string& name) const {
+  const RunResult* result = done(run);
+  if (result == nullptr) return nothing;
+  const bool of_band = name.starts_with("band.");
+  const nlohmann::ordered_json& from = of_band ? result->summary.at("band") : result->summary;
+  if (of_band && !from.value("found", false)) return nothing;
+  const std::string key = of_band ? name.substr(5) : name;
+  return from.contains(key) && from.at(key).is_number() ? from.at(key).get<double>() : nothing;
+}
+
+double PaperResults::angle_at(const std::string& run, double u_over_h) const {
+  const RunResult* result = done(run);
+  return result == nullptr ? nothing : history_at(*result, "phi_mob_deg", u_over_h).value_or(nothing);
+}
+
+double PaperResults::distance(const std::string& a, const std::string& b, double from, double to) const {
+  double most = 0.0;
+  constexpr double step = 5e-4;
+  for (double strain = from; strain <= to; strain += step) {
+    const double apart = std::abs(angle_at(a, strain) - angle_at(b, strain));
+    if (std::isnan(apart)) return nothing;
+    most = std::max(most, apart);
+  }
+  return most;
+}
+
+std::optional<ShearBand> PaperResults::band_at(const std::string& run, double u_over_h) const {
+  const RunResult* result = done(run);
+  if (result == nullptr) return std::nullopt;
+  Values values = case_;
+  for (const auto& [key, value] : result->settings)
+    if (key == "nonlocal.length") values.set(key, std::stod(value));
+  const auto frame = frame_at(*result, u_over_h);
+  return frame ? std::optional(measure_band(*frame, values)) : std::nullopt;
+}
+
+double PaperResults::dilation_above(const std::string& run, double u_over_h) const {
+  const RunResult* result = done(run);
+  const auto frame = result == nullptr ? std::nullopt : frame_at(*result, u_over_h);
+  if (!frame) return nothing;
+  const std::vector<double>& volume = frame->field("volume").values;
+  std::vector<double> growth = frame->field("volume_ratio").values; // grains keep their volume
+  std::vector<double> sorted = growth;
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
+  const double median = sorted[sorted.size() / 2], middle = 0.5 * case_.number("specimen.height") * (1.0 - u_over_h);
+  double above = 0.0, all = 0.0;
+  for (std::size_t p = 0; p < growth.size(); ++p) {
+    const double more = volume[p] * std::max(growth[p] - median, 0.0);
+    all += more;
+    if (frame->position[3 * p + 1] > middle) above += more;
+  }
+  return above / all;
+}
+
+const HomogeneousTest& PaperResults::homogeneous(double void_ratio) const {
+  const auto known = homogeneous_.find(void_ratio);
+  if (known != homogeneous_.end()) return known->second;
+  return homogeneous_
+      .emplace(void_ratio,
+               homogeneous_test(case_.section("material"), void_ratio, case_.number("loading.confining_pressure"),
+                                case_.number("loading.final_strain")))
+      .first->second;
+}
+
+std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& v) {
+  const std::vector<FrameFile> files = frame_files(run.folder);
+  if (files.empty() || files.front().path.extension() != ".vtp") return {};
+  const Frame first = read_frame(files.front().path), last = read_frame(files.back().path);
+  const double width = v.number("specimen.width"), height = v.number("specimen.height");
+  const std::vector<double>& e = last.field("void_ratio").values;
+  const auto start = [&](std::size_t p) { return Vec<2>(first.position[3 * p], first.position[3 * p + 1]); };
+
+  std::vector<std::size_t> outside, inside; // a point keeps its number from frame to frame
+  for (const double column : {0.3, 0.5, 0.7}) {
+    std::size_t loosest = 0;
+    double nearest = width;
+    for (std::size_t p = 0; p < first.points(); ++p)
+      nearest = std::min(nearest, std::abs(start(p)[0] - column * width));
+    const auto in_column = [&](std::size_t p) { return std::abs(start(p)[0] - column * width) < nearest + 1e-9; };
+    for (std::size_t p = 0; p < first.points(); ++p)
+      if (in_column(p) && (!in_column(loosest) || e[p] > e[loosest])) loosest = p;
+    const double from_platen = 0.02, y = start(loosest)[1] > 0.5 * height ? from_platen : height - from_platen;
+    std::size_t far = loosest;
+    for (std::size_t p = 0; p < first.points(); ++p)
+      if (in_column(p) && std::abs(start(p)[1] - y) < std::abs(start(far)[1] - y)) far = p;
+    outside.push_back(far);
+    inside.push_back(loosest);
+  }
+
+  std::vector<PointCurve> curves;
+  for (const auto* points : {&outside, &inside})
+    for (const std::size_t p : *points)
+      curves.push_back({.name = std::to_string(curves.size() + 1),
+                        .x = start(p)[0],
+                        .y = start(p)[1],
+                        .u_over_h = {},
+                        .void_ratio = {},
+                        .pressure = last.field("mean_pressure").values[p]});
+  for (const FrameFile& file : files) {
+    const Frame frame = read_frame(file.path);
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const std::size_t p = k < outside.size() ? outside[k] : inside[k - outside.size()];
+      curves[k].u_over_h.push_back(frame.u_over_h);
+      curves[k].void_ratio.push_back(frame.field("void_ratio").values[p]);
+    }
+  }
+  return curves;
+}
+
+} // namespace riedel

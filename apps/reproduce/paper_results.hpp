@@ -1,0 +1,59 @@
+/// What the runs behind the paper's figures gave, and what is read off them.
+#pragma once
+
+#include "apps/report/run_views.hpp"
+#include "apps/reproduce/element_figures.hpp"
+#include "apps/reproduce/homogeneous.hpp"
+#include "apps/shear_band.hpp"
+
+namespace riedel {
+
+/// u/h0 of the deformed specimens in the paper [-]
+inline constexpr double drawn_strain = 0.05;
+
+class PaperResults {
+public:
+  PaperResults(std::vector<RunResult> runs, Figures figures, const Values& paper_case);
+
+  [[nodiscard]] Runs all() const { return runs_; }
+  [[nodiscard]] const Figures& figures() const { return figures_; }
+  [[nodiscard]] const Values& paper_case() const { return case_; }
+  /// A run that came to its end; none if it did not, or was not asked for.
+  [[nodiscard]] const RunResult* done(const std::string& name) const;
+  [[nodiscard]] std::vector<RunResult> some(const std::vector<std::string>& names) const; ///< of those that there are
+
+  /// A figure of a run's summary, or of the band in it as "band.…"; NaN where there is none.
+  [[nodiscard]] double figure(const std::string& run, const std::string& name) const;
+  /// φ at a strain; NaN where there is none [deg]
+  [[nodiscard]] double angle_at(const std::string& run, double u_over_h) const;
+  /// The greatest distance of two curves between two strains; NaN where one is missing [deg]
+  [[nodiscard]] double distance(const std::string& a, const std::string& b, double from, double to) const;
+  /// The band at a strain, measured anew from the frame there.
+  [[nodiscard]] std::optional<ShearBand> band_at(const std::string& run, double u_over_h) const;
+
+  /// How much of what dilates at a strain, Σ V (e − e0) over the median, lies in the upper half of the specimen; NaN
+  /// where there is no frame [-]
+  [[nodiscard]] double dilation_above(const std::string& run, double u_over_h) const;
+
+  /// The homogeneous test of the paper's sand at an initial void ratio, to the end of the paper's case.
+  [[nodiscard]] const HomogeneousTest& homogeneous(double void_ratio) const;
+
+private:
+  std::vector<RunResult> runs_;
+  Figures figures_;
+  Values case_;
+  mutable std::map<double, HomogeneousTest> homogeneous_; ///< made when first asked for
+};
+
+/// Void ratio of points inside the band and outside of it, as in Figure 9.
+struct PointCurve {
+  std::string name;                         ///< "1" to "3" outside, "4" to "6" inside
+  double x = 0, y = 0;                      ///< where the point started [m]
+  std::vector<double> u_over_h, void_ratio; ///< [-]
+  double pressure = 0;                      ///< p of the last frame [Pa]
+};
+/// Three columns of the specimen: the point that is loosest at the end, and one 20 mm from the platen that the band
+/// does not reach. Empty where the run has no frames.
+std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& paper_case);
+
+} // namespace riedel

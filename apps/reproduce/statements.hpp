@@ -1,0 +1,30 @@
+/// What the paper says, and what came out.
+#pragma once
+
+#include "apps/reproduce/paper_results.hpp"
+
+namespace riedel {
+
+/// `cannot_hold`: it contradicts the paper's own law or its discretisation, whoever computes it. `open`: a run that it
+/// takes is missing.
+enum class Verdict { agrees, differs, cannot_hold, open };
+[[nodiscard]] const char* name_of(Verdict verdict);
+
+struct Statement {
+  std::string where;    ///< figure or section of the paper
+  std::string claim;    ///< in our words, with the paper's number
+  std::string measured; ///< with the tolerance that decides
+  std::string theory;   ///< what it should be, where that is known; else empty
+  Verdict verdict = Verdict::open;
+  std::string reason; ///< of what does not agree
+};
+
+/// Those about the figures that were reproduced, in the paper's order.
+std::vector<Statement> element_statements(const CriticalState& end);
+std::vector<Statement> biaxial_statements(const PaperResults& results);
+std::vector<Statement> mesh_statements(const PaperResults& results); ///< those among them about Figure 7
+
+PageTable statement_table(const std::vector<Statement>& statements);
+std::string statement_markdown(const std::vector<Statement>& statements);
+
+} // namespace riedel
