@@ -42,7 +42,9 @@ int write_results(const Plan& plan, const fs::path& folder) {
   const std::vector<RunResult> results = results_of(plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
   write_atomically(folder / "report.html", compare_report(plan.title, plan.command, results).html());
-  std::cout << results_text(results) << "written to " << folder.string() << ": results.csv, report.html\n";
+  std::cout << results_text(results) << "written to " << folder.string() << ": results.csv, report.html";
+  for (const std::string& name : write_compare_pictures(plan.title, results, folder)) std::cout << ", " << name;
+  std::cout << "\n";
   for (const RunResult& result : results)
     if (result.status == RunStatus::damaged) print_warning(result.name + " is damaged: " + result.reason);
   return std::ranges::any_of(results, [](const RunResult& r) { return r.status == RunStatus::done; }) ? 0 : 3;

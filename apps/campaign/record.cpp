@@ -56,7 +56,8 @@ bool same_runs(const Plan& a, const Plan& b) {
 /// Only what a campaign wrote: its runs' folders and its own files.
 void remove_campaign(const fs::path& folder) {
   for (const PlannedRun& run : read_campaign(folder).runs) fs::remove_all(folder / run.name);
-  for (const char* result : {"results.csv", "report.html", file_name}) fs::remove(folder / result);
+  for (const char* result : {"results.csv", "report.html", "curves.png", file_name}) fs::remove(folder / result);
+  for (int number = 1; fs::remove(folder / ("void_ratio_" + std::to_string(number) + ".png")); ++number) {}
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "apps/bench_machine.hpp"
 #include "apps/command_line.hpp"
+#include "core/base/error.hpp"
+#include "core/io/picture.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -17,6 +19,45 @@ std::string count_text(Runs runs) {
     if (const auto count = std::ranges::count(runs, status, &RunResult::status); count > 0)
       text += ", " + std::to_string(count) + " " + name_of(status);
   return text;
+}
+
+/// What a run has beside its scheme.
+std::vector<Setting> but_for_scheme(const RunResult& run) {
+  std::vector<Setting> rest = run.settings;
+  std::erase_if(rest, [](const Setting& setting) { return setting.first == "scheme"; });
+  return rest;
+}
+
+/// Runs that are alike but for their scheme next to each other, otherwise in their order.
+std::vector<const RunResult*> by_scheme(Runs runs) {
+  std::vector<const RunResult*> sorted;
+  for (const RunResult& run : runs) {
+    const auto alike = [&](const RunResult* other) { return but_for_scheme(*other) == but_for_scheme(run); };
+    const auto last = std::ranges::find_if(sorted.rbegin(), sorted.rend(), alike);
+    sorted.insert(last == sorted.rend() ? sorted.end() : last.base(), &run);
+  }
+  return sorted;
+}
+
+/// Nine at most, and whole rows of schemes.
+std::size_t panels_of_a_picture(Runs runs) {
+  constexpr std::size_t most = 9;
+  const std::vector<Setting> first = runs.empty() ? std::vector<Setting>{} : but_for_scheme(runs.front());
+  const auto alike = static_cast<std::size_t>(
+      std::ranges::count_if(runs, [&](const RunResult& run) { return but_for_scheme(run) == first; }));
+  return alike == 0 || alike > most ? most : most / alike * alike;
+}
+
+/// The first of what a run differs in above the rest.
+Panel panel_of(const Frame& frame, const std::string& label) {
+  const std::size_t comma = label.find(", ");
+  return {&frame, label.substr(0, comma), comma == std::string::npos ? "" : label.substr(comma + 2)};
+}
+
+std::optional<Frame> readable_frame(const RunResult& run, double u_over_h) {
+  try {
+    return frame_at(run, u_over_h);
+  } catch (const InputError&) { return std::nullopt; } // the report names it
 }
 
 } // namespace
@@ -48,6 +89,38 @@ Page compare_report(const std::string& title, const std::string& command, Runs r
   page.heading("Settings");
   page.table(settings_table(runs));
   return page;
+}
+
+std::vector<std::string> write_compare_pictures(const std::string& title, Runs runs,
+                                                const std::filesystem::path& folder) {
+  std::vector<std::string> names{"curves.png"};
+  const Plot curves = curves_of(runs, title);
+  if (curves.series.empty()) return {};
+  write_png(folder / names.front(), curves);
+  const double strain = common_strain(runs);
+  std::vector<Frame> frames;
+  std::vector<std::string> labels;
+  for (const RunResult* run : by_scheme(runs))
+    if (auto frame = readable_frame(*run, strain); frame && frame->has("void_ratio")) {
+      frames.push_back(std::move(*frame));
+      labels.push_back(run->label);
+    }
+  const std::size_t most = panels_of_a_picture(runs);
+  for (std::size_t first = 0; first < frames.size(); first += most) {
+    std::vector<Panel> panels;
+    for (std::size_t i = first; i < std::min(first + most, frames.size()); ++i)
+      panels.push_back(panel_of(frames[i], labels[i]));
+    names.push_back("void_ratio_" + std::to_string(1 + first / most) + ".png");
+    write_field_pictures(folder / names.back(), panels,
+                         {.field = "void_ratio",
+                          .title = "",
+                          .subtitle = "",
+                          .label = "void ratio e [-], u/h₀ = " + with_digits(100.0 * strain, 1) + " %",
+                          .range = field_range(frames, "void_ratio"),
+                          .width = 2400,
+                          .height = 900});
+  }
+  return names;
 }
 
 } // namespace riedel

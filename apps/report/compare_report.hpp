@@ -3,6 +3,8 @@
 
 #include "apps/report/run_views.hpp"
 
+#include <filesystem>
+
 namespace riedel {
 
 /// Who made the results, for the head of a page.
@@ -10,5 +12,10 @@ std::vector<std::pair<std::string, std::string>> provenance(const std::string& c
 
 /// Curves, fields, tables of everything that the campaign's folder holds.
 Page compare_report(const std::string& title, const std::string& command, Runs runs);
+
+/// The same as PNG files in the campaign's folder: curves.png, and void_ratio_1.png, ... with up to nine specimens
+/// each, runs that differ in their scheme alone side by side. @return their names
+std::vector<std::string> write_compare_pictures(const std::string& title, Runs runs,
+                                                const std::filesystem::path& folder);
 
 } // namespace riedel

@@ -33,11 +33,9 @@ void paint_field(RasterCanvas& canvas, const Frame& frame, const FieldColors& co
                  double scale) {
   constexpr int fine = 3; // samples along each edge of a pixel
   const DomainRaster raster = rasterise_domains(frame, view, 1 / (scale * fine));
-  const std::vector<double> values = colors.values(frame);
-  const auto color_of = [&](int point) {
-    const double value = values[static_cast<std::size_t>(point)];
-    return std::isfinite(value) ? viridis(colors.range.part(value)) : unknown;
-  };
+  std::vector<Color> color_of;
+  for (const double value : colors.values(frame))
+    color_of.push_back(std::isfinite(value) ? viridis(colors.range.part(value)) : unknown);
   for (int y = 0; y < raster.height / fine; ++y)
     for (int x = 0; x < raster.width / fine; ++x) {
       Color sum;
@@ -45,7 +43,7 @@ void paint_field(RasterCanvas& canvas, const Frame& frame, const FieldColors& co
       for (int sample = 0; sample < fine * fine; ++sample) {
         const int point = raster.at(fine * x + sample % fine, fine * y + sample / fine);
         if (point < 0) continue;
-        const Color color = color_of(point);
+        const Color& color = color_of[static_cast<std::size_t>(point)];
         sum = {sum.r + color.r, sum.g + color.g, sum.b + color.b};
         ++covered;
       }
