@@ -41,7 +41,8 @@ th, td { padding: .28rem .7rem; text-align: right; vertical-align: top; white-sp
 thead th { vertical-align: bottom; white-space: normal; font-weight: 600; border-bottom: 2px solid var(--ink); min-width: 4.2rem; }
 th.text, td.text { text-align: left; }
 tbody th { font-weight: 500; }
-table.long th, table.long td { white-space: normal; min-width: 6rem; max-width: 30rem; }
+table.long th, table.long td { white-space: normal; max-width: 30rem; }
+table.long td { min-width: 6.5rem; }
 tbody tr:hover { background: #f6f8fa; }
 tr.picked, tr.picked:hover { background: var(--pick); }
 .agrees { color: #00704a; font-weight: 600; }

@@ -8,10 +8,10 @@ namespace riedel {
 
 namespace {
 
-const std::vector<std::string> columns{"where", "the paper says", "measured", "theory", "verdict", "reason"};
+const std::vector<std::string> columns{"where", "the paper says", "verdict", "measured", "theory", "reason"};
 
 std::vector<std::string> cells_of(const Statement& s) {
-  return {s.where, s.claim, s.measured, s.theory, name_of(s.verdict), s.reason};
+  return {s.where, s.claim, name_of(s.verdict), s.measured, s.theory, s.reason};
 }
 
 std::string look_of(Verdict verdict) {
@@ -57,7 +57,7 @@ PageTable statement_table(const std::vector<Statement>& statements) {
   for (const Statement& statement : statements) {
     PageRow row;
     for (const std::string& cell : cells_of(statement)) row.cells.push_back({cell});
-    row.cells[4].look = look_of(statement.verdict);
+    row.cells[2].look = look_of(statement.verdict);
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -83,7 +83,7 @@ TEST(Statements, AreDecidedByWhatIsThere) {
   EXPECT_EQ(rising({1.0, 2.0, 1.5}, 0.1), Verdict::differs);
   EXPECT_EQ(rising({1.0, missing, 2.0}, 0.1), Verdict::open);
   EXPECT_THAT(statement_markdown({{.where = "a|b", .claim = "c", .measured = "", .theory = "", .reason = ""}}),
-              HasSubstr("\n| a\\|b | c |  |  | open |"));
+              HasSubstr("\n| a\\|b | c | open |  |  |"));
 }
 
 class Reproduce : public testing::Test {
