@@ -61,8 +61,9 @@ struct Worker {
   ChildProcess process;
   bool told_to_stop = false;
 
+  /// Never all of it: files are still to be written then.
   [[nodiscard]] double share_done() const {
-    return std::clamp(last_strain(folder / "history.csv") / run.final_strain, 0.0, 1.0);
+    return std::clamp(last_strain(folder / "history.csv") / run.final_strain, 0.0, 0.99);
   }
 };
 

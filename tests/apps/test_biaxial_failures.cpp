@@ -87,7 +87,7 @@ TEST_F(BiaxialFailure, AnInterruptedRunWritesItsLastFrameItsSummaryAndItsPicture
 }
 
 TEST_F(BiaxialFailure, AHistoryThatFillsTheDiskEndsTheRunWithWholeRows) {
-  constexpr rlim_t room = 6500; // enough for the case
+  constexpr rlim_t room = 8000; // enough for the case
   const Outcome outcome = run_coarse({"--set", "output.every_strain=5e-5", "--set", "output.vtk=false"}, room);
   const fs::path history_file = out_ / "history.csv";
   EXPECT_EQ(outcome.code, 3);

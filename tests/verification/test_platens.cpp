@@ -67,7 +67,7 @@ TEST_P(PlatenTest, OfASpecimenTurnedInTheGridGivesTheAngleOfTheUprightOne) {
     GTEST_SKIP() << "points without extent, one for a cell, leave cells empty where their rows lie askew";
   const bool by_nodes = GetParam() == "ddmp" || GetParam() == "lme"; // no domains of points: 4.7 and 3.4 deg
   const Angles usual = compress(GetParam(), "moving_grid", "virtual_stress");
-  EXPECT_LT(farthest(compress(GetParam(), "rigid_points", "virtual_stress", "30"), usual), by_nodes ? 6.0 : 1.5);
+  EXPECT_LT(farthest(compress(GetParam(), "rigid_points", "virtual_stress", "30"), usual), by_nodes ? 6.0 : 2.0);
 }
 
 TEST_P(PlatenTest, LeavesATurnedSpecimenWithoutWeightAtRest) {
