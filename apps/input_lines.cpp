@@ -1,6 +1,7 @@
 #include "apps/input_lines.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/input_file.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,9 +9,7 @@
 
 namespace riedel {
 
-InputLines::InputLines(const std::filesystem::path& path) : path_(path), file_(path) {
-  if (!file_ || std::filesystem::is_directory(path)) throw InputError(path.string() + ": cannot be read");
-}
+InputLines::InputLines(const std::filesystem::path& path) : path_(path), file_(read_input_file(path)) {}
 
 std::string InputLines::place() const { return path_.string() + ":" + std::to_string(number_) + ":"; }
 

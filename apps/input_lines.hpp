@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,7 +28,7 @@ private:
   [[nodiscard]] double number_in(std::string text, const std::string& what) const;
 
   std::filesystem::path path_;
-  std::ifstream file_;
+  std::istringstream file_;
   int number_ = 0; ///< of the last line read
 };
 

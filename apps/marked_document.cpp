@@ -2,20 +2,16 @@
 
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
-
-#include <fstream>
-#include <sstream>
+#include "core/io/input_file.hpp"
 
 namespace riedel {
 
 namespace {
 
 std::string content(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError("--document " + path.string() + ": cannot be read");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  try {
+    return read_input_file(path);
+  } catch (const InputError& error) { throw InputError(std::string("--document ") + error.what()); }
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "apps/material_keys.hpp"
 #include "core/base/error.hpp"
 
+#include <charconv>
+
 namespace riedel {
 
 namespace {
@@ -40,6 +42,26 @@ void check_leg(const PathLeg& leg, const std::vector<std::string>& keys, std::ve
   for (const Prescription& each : leg.prescriptions) given += (given.empty() ? "" : ", ") + each.measure->name;
   errors.push_back({keys, "a leg needs six conditions, and this one has " + std::to_string(leg.prescriptions.size()) +
                               ": " + given + " (a shear that is not named is held)"});
+}
+
+/// Number of tables in a list, such as "stage" or "stage.2.leg".
+/// @throws InputError for a number behind a gap, and for more of them than a case can mean
+int tables_in(const CaseFile& given, const std::string& list) {
+  constexpr int most = 1000;
+  const int count = given.count(list);
+  for (const std::string& name : given.names_in(list)) {
+    int number = 0;
+    const std::string rest = name.substr(list.size() + 1);
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (end == rest.data()) continue; // no number: an unknown key
+    if (error != std::errc{} || number < 1 || number > count)
+      throw InputError(given.place(name) + ": there is no " + list + "." + std::to_string(count + 1) +
+                       "; allowed: numbers from 1 without a gap");
+    if (number > most)
+      throw InputError(given.place(name) + ": is one of " + std::to_string(count) + "; allowed: at most " +
+                       std::to_string(most));
+  }
+  return count;
 }
 
 bool check_limits(const Values& values, std::vector<Finding>& errors) {
@@ -82,10 +104,12 @@ Keys leg_keys(const std::string& prefix) {
 
 Keys path_keys(const CaseFile& given) {
   Keys keys;
-  for (int stage = 1; stage <= given.count("stage"); ++stage) {
+  const int stages = tables_in(given, "stage");
+  for (int stage = 1; stage <= stages; ++stage) {
     const std::string prefix = stage_prefix(stage);
     append(keys, stage_keys(prefix));
-    for (int leg = 1; leg <= given.count(prefix + "leg"); ++leg) append(keys, leg_keys(leg_prefix(stage, leg)));
+    const int legs = tables_in(given, prefix + "leg");
+    for (int leg = 1; leg <= legs; ++leg) append(keys, leg_keys(leg_prefix(stage, leg)));
   }
   return keys;
 }

@@ -13,7 +13,7 @@ std::string leg_prefix(int stage, int leg); ///< "stage.1.leg.2."
 
 Keys stage_keys(const std::string& prefix);
 Keys leg_keys(const std::string& prefix);
-/// Keys for as many stages and legs as the case has.
+/// Keys for as many stages and legs as the case has. @throws InputError where their numbers have a gap
 Keys path_keys(const CaseFile& given);
 
 /// Six conditions in each leg, limits that can be read, at least one stage.

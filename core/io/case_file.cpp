@@ -1,6 +1,7 @@
 #include "core/io/case_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/input_file.hpp"
 #include "core/io/suggestion.hpp"
 
 #define TOML_IMPLEMENTATION
@@ -8,8 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
-#include <fstream>
+#include <set>
 #include <sstream>
 
 namespace riedel {
@@ -81,17 +81,6 @@ std::string position_text(const std::string& path, const toml::source_position& 
   return path + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
 }
 
-std::string file_text(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) throw InputError(path.string() + ": is a folder, not a case file");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file && file.peek() != std::ifstream::traits_type::eof())
-    text << file.rdbuf();
-  else if (!file.eof())
-    throw InputError(path.string() + ": cannot read the case file: " + std::strerror(errno));
-  return text.str();
-}
-
 std::string unknown_key_text(const std::string& name, const Keys& keys) {
   std::vector<std::string> names;
   std::string beside; // the keys of the same section
@@ -121,7 +110,7 @@ bool is_section(const std::string& name, const Keys& keys) {
 } // namespace
 
 CaseFile CaseFile::read(const std::filesystem::path& path) {
-  const std::string text = file_text(path);
+  const std::string text = read_input_file(path);
   std::vector<Positioned> all;
   try {
     flatten(toml::parse(text, path.string()), "", all);
@@ -200,15 +189,17 @@ CaseFile CaseFile::without(std::string_view section) const {
 }
 
 int CaseFile::count(std::string_view list) const {
-  int most = 0;
+  std::set<int> numbers;
   for (const Given& given : given_) {
     if (!given.name.starts_with(std::string(list) + ".")) continue;
     int number = 0;
     const std::string_view rest = std::string_view(given.name).substr(list.size() + 1);
     std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    most = std::max(most, number);
+    numbers.insert(number);
   }
-  return most;
+  int last = 0;
+  while (numbers.contains(last + 1)) ++last;
+  return last;
 }
 
 std::string CaseFile::place(std::string_view key) const {

@@ -42,8 +42,8 @@ public:
   /// The same case without them.
   [[nodiscard]] CaseFile without(std::string_view section) const;
 
-  /// Greatest number among the tables of an array: [[stage]] tables have the keys "stage.1.…", "stage.2.…", which may
-  /// also be written as [stage.1] or --set stage.1.…; 0 when there are none.
+  /// Number of tables in an array: [[stage]] tables have the keys "stage.1.…", "stage.2.…", which may also be written
+  /// as [stage.1] or --set stage.1.…; those behind a gap are not counted.
   [[nodiscard]] int count(std::string_view list) const;
 
   /// Where a key was given: "case.toml:12:9: specimen.width", "--set specimen.width" or "specimen.width (default)".

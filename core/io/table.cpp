@@ -1,12 +1,11 @@
 #include "core/io/table.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/input_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
+#include <sstream>
 
 namespace riedel {
 
@@ -62,9 +61,7 @@ void take_header(Table& table, const std::vector<Cell>& cells, const std::string
 } // namespace
 
 Table read_table(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path))
-    throw InputError(path.string() + ": cannot be read: " + (file ? "is a folder" : std::strerror(errno)));
+  std::istringstream file(read_input_file(path));
   Table table;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {

@@ -96,6 +96,27 @@ TEST_F(ElementPaths, TellsWhereALegHasTooFewConditionsOrALimitIsNone) {
   EXPECT_EQ(errors(start + "sigma_3 = 'hold'\n"), "no error");
 }
 
+/// The keys of a hundred million tables would fill the memory.
+TEST_F(ElementPaths, RefusesNumbersOfTablesBehindAGap) {
+  const auto says = [&](const std::string& key) {
+    CaseFile given = CaseFile::read(folder_.file("gap.toml", "test = 'path'\n[[stage]]\n[[stage.leg]]\neps_1 = 0.1\n"));
+    given.override_with(key + "=0.1");
+    try {
+      (void)element_case(given, catalogue());
+    } catch (const InputError& error) { return std::string(error.what()); }
+    return std::string("no error");
+  };
+  for (const char* number : {"100000000", "99999999999999999999", "3", "0", "-1"})
+    EXPECT_EQ(says("stage." + std::string(number) + ".eps_1"),
+              "--set stage." + std::string(number) +
+                  ".eps_1: there is no stage.2; allowed: numbers from 1 without a gap");
+  EXPECT_THAT(says("stage.1.leg.100000000.eps_1"), HasSubstr("there is no stage.1.leg.2"));
+  EXPECT_THAT(says("stage.2.eps_1"), HasSubstr("a leg needs six conditions"));
+  std::string many = "test = 'path'\n";
+  for (int i = 0; i < 1001; ++i) many += "[[stage]]\nrepeat = 1\n";
+  EXPECT_THAT(errors(many), HasSubstr("case.toml:2003:10: stage.1001.repeat: is one of 1001; allowed: at most 1000"));
+}
+
 TEST_F(ElementPaths, TheResolvedCaseIsAFixedPoint) {
   const CheckedCase once = checked("test = 'path'\n[[stage]]\neps_1 = 0.1\nsigma_2 = 'hold'\nsigma_3 = 'hold'\n");
   const std::string text = case_text(once.keys, once.values);

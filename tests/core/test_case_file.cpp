@@ -35,12 +35,6 @@ protected:
     return "no error";
   }
   [[nodiscard]] std::string errors(std::string_view text) const { return errors(file(text)); }
-  static std::string read_error(const std::string& from) {
-    try {
-      (void)CaseFile::read(from);
-    } catch (const InputError& error) { return error.what(); }
-    return "no error";
-  }
 
 private:
   TemporaryFolder folder_;
@@ -132,13 +126,6 @@ TEST_F(CaseFiles, TellsAllErrorsAtOnceInTheOrderOfTheFile) {
 TEST_F(CaseFiles, TellsLineAndColumnOfASyntaxError) {
   EXPECT_THAT([&] { (void)file("[specimen]\nwidth = = 3\n"); },
               testing::ThrowsMessage<InputError>(StartsWith(path() + ":2:9: not valid TOML: ")));
-}
-
-TEST_F(CaseFiles, TellsWhyAFileCannotBeRead) {
-  EXPECT_EQ(read_error("/no/such/case.toml"),
-            "/no/such/case.toml: cannot read the case file: No such file or directory");
-  EXPECT_THAT(read_error(testing::TempDir()), HasSubstr("is a folder"));
-  EXPECT_THAT(read_error("/proc/self/mem"), HasSubstr("cannot read")); // opens, but its first byte cannot be read
 }
 
 TEST_F(CaseFiles, SettingsReplaceWhatTheFileSays) {
