@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <omp.h>
 
 namespace riedel {
 
@@ -90,18 +89,18 @@ void write_failure(const std::filesystem::path& folder, const RunError& failure)
 
 /// @return the greatest time step over the stable limit
 template <int Dim>
-double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt) {
+double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads) {
   Progress progress("biaxial");
   TimeStepWatch watch;
   watch.look(run.simulation());
-  run.advance([&] { return static_cast<bool>(interrupt); },
-              [&](const BiaxialRow& row) {
-                watch.look(run.simulation());
-                std::array<char, 48> note{};
-                std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h,
-                              row.angle);
-                progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
-              });
+  run.advance(
+      threads, [&] { return static_cast<bool>(interrupt); },
+      [&](const BiaxialRow& row) {
+        watch.look(run.simulation());
+        std::array<char, 48> note{};
+        std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h, row.angle);
+        progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
+      });
   run.finish();
   return watch.most();
 }
@@ -119,15 +118,17 @@ void warn_of_doubts(const BiaxialRun<Dim>& run, double step_over_limit) {
 
 /// Runs the case and leaves everything in `folder`. @return the exit code
 template <int Dim>
-int run_case(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder, int threads) {
+int run_case(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder,
+             ThreadRange allowed) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
+  ThreadChoice threads(allowed);
   BiaxialRun<Dim> run(values, catalogue, folder);
-  const double step_over_limit = advance(run, values, interrupt);
+  const double step_over_limit = advance(run, values, interrupt, threads);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
   const nlohmann::ordered_json result =
-      summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads, step_over_limit);
+      summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads.most_used(), step_over_limit);
   write_summary(folder, result);
   std::vector<std::string> pictures;
   if (values.flag("output.plots")) pictures = draw_biaxial(run.rows(), run.section(), values, folder);
@@ -144,9 +145,8 @@ int biaxial(const Arguments& arguments) {
   const CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& warning : given.warnings) print_warning(warning);
   const std::filesystem::path folder = arguments.out("results/biaxial");
-  const int threads = arguments.threads();
+  const ThreadRange threads = arguments.threads();
   prepare_output_folder(folder, arguments.force());
-  omp_set_num_threads(threads);
   try {
     write_atomically(folder / "case.toml", case_text(given.keys, given.values));
     return (dimensions_of_biaxial(given.values) == 3 ? run_case<3> : run_case<2>)(given.values, catalogue, folder,

@@ -29,10 +29,11 @@ BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, co
 }
 
 template <int Dim>
-void BiaxialRun<Dim>::advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row) {
+void BiaxialRun<Dim>::advance(ThreadChoice& threads, const std::function<bool()>& stop,
+                              const std::function<void(const BiaxialRow&)>& at_row) {
   const double final_strain = values_.number("loading.final_strain");
   while (u_over_h() < final_strain && !stop()) {
-    simulation_.step();
+    threads.step([&] { simulation_.step(); });
     const double dt = simulation_.time_step();
     u_ += speed_(simulation_.state().time) * dt;
     force_sum_ += platen_force(simulation_, values_) * dt;

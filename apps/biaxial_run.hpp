@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/specimen.hpp"
+#include "core/base/thread_choice.hpp"
 #include "core/io/history.hpp"
 #include "core/io/vtk_writer.hpp"
 
@@ -27,7 +28,8 @@ public:
   BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder);
 
   /// Goes on until the final strain, or until `stop()` says so between two steps. Throws RunError.
-  void advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row);
+  void advance(ThreadChoice& threads, const std::function<bool()>& stop,
+               const std::function<void(const BiaxialRow&)>& at_row);
   /// Writes a row and a frame of the present, if they are not written yet.
   void finish();
 

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <charconv>
+#include <cstdlib>
+#include <omp.h>
 #include <sstream>
-#include <thread>
 
 namespace riedel {
 
@@ -64,6 +65,14 @@ std::string typed(const Command& command, const Texts& words) {
   return line;
 }
 
+constexpr int most_threads_allowed = 1024;
+
+std::optional<int> whole(std::string_view text) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<std::string> Arguments::text(std::string_view option) const {
@@ -79,16 +88,28 @@ std::filesystem::path Arguments::out(const std::filesystem::path& otherwise) con
 int Arguments::integer(std::string_view option, int otherwise, int least, int most) const {
   const std::optional<std::string> given = text(option);
   if (!given) return otherwise;
-  int number = 0;
-  const auto [end, error] = std::from_chars(given->data(), given->data() + given->size(), number);
-  if (error != std::errc{} || end != given->data() + given->size() || number < least || number > most)
+  const std::optional<int> number = whole(*given);
+  if (!number || *number < least || *number > most)
     throw InputError("--" + std::string(option) + " " + *given + ": allowed: an integer in [" + std::to_string(least) +
                      ", " + std::to_string(most) + "]");
-  return number;
+  return *number;
 }
 
-int Arguments::threads() const {
-  return integer("threads", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), 1, 1024);
+ThreadRange Arguments::threads() const {
+  const std::optional<std::string> given = text("threads");
+  if (!given) {
+    const char* wished = std::getenv("OMP_NUM_THREADS"); // has been read, with all that it may hold, when OpenMP began
+    const bool wish = wished != nullptr && *wished != '\0';
+    const int most = std::clamp(wish ? omp_get_max_threads() : omp_get_num_procs(), 1, most_threads_allowed);
+    return {wish ? most : 1, most};
+  }
+  const std::size_t dash = given->find('-', 1);
+  const std::optional<int> least = whole(given->substr(0, dash)),
+                           most = dash == std::string::npos ? least : whole(given->substr(dash + 1));
+  if (!least || !most || *least < 1 || *most < *least || *most > most_threads_allowed)
+    throw InputError("--threads " + *given + ": allowed: an integer in [1, " + std::to_string(most_threads_allowed) +
+                     "], or a range of them, such as 1-4, from which the program chooses while it runs");
+  return {*least, *most};
 }
 
 Texts Arguments::list(std::string_view option, const Texts& otherwise) const {
@@ -141,7 +162,8 @@ Option plugin_option() {
 Options run_options(const std::string& folder) {
   Options options = case_options();
   options.push_back({"out", "DIR", "folder for the results; default: " + folder});
-  options.push_back({"threads", "N", "default: all of the machine; the results do not depend on it"});
+  options.push_back(
+      {"threads", "N", "or A-B: the program chooses while it runs; default: 1 to all; results do not depend on it"});
   options.push_back({"force", "", "write over the results that the folder holds"});
   return options;
 }

@@ -1,6 +1,7 @@
 /// Sub-commands and their options.
 #pragma once
 
+#include "core/base/thread_choice.hpp"
 #include "core/io/case_file.hpp"
 
 #include <map>
@@ -26,8 +27,9 @@ struct Arguments {
   [[nodiscard]] bool force() const { return has("force"); }
   /// @throws InputError for what is no integer in [least, most]
   [[nodiscard]] int integer(std::string_view option, int otherwise, int least, int most) const;
-  /// --threads; as many as the machine has when it is not given. @throws InputError when it is no positive number
-  [[nodiscard]] int threads() const;
+  /// --threads N, exactly, or A-B; without it OMP_NUM_THREADS, exactly, or from one to all that this process may use.
+  /// @throws InputError when it is no positive number and no such range
+  [[nodiscard]] ThreadRange threads() const;
   /// The case file (the word at `position`, else the defaults) with every --set on it.
   [[nodiscard]] CaseFile case_file(std::size_t position = 0) const;
   [[nodiscard]] CaseFile with_settings(CaseFile file) const; ///< with every --set on it

@@ -87,7 +87,7 @@ std::vector<RunResult> runs_of(const Arguments& arguments, const CaseFile& given
   }
   const Plan plan = plan_of("The paper", arguments.command, variants);
   open_campaign(folder, plan, arguments.force());
-  carry_out(plan, folder, {"reproduce", arguments.threads(), [&] { return static_cast<bool>(interrupt); }});
+  carry_out(plan, folder, {"reproduce", arguments.threads().most, [&] { return static_cast<bool>(interrupt); }});
   std::vector<RunResult> results = results_of(plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
   return results;

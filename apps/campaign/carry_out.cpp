@@ -109,8 +109,13 @@ private:
       throw RunError(folder.string() + ": cannot be made ready: " + error.code().message());
     }
     write_atomically(given, run.case_text);
-    const std::vector<std::string> words{
-        "biaxial", given.string(), "--out", folder.string(), "--force", "--threads", std::to_string(threads_each_)};
+    const std::vector<std::string> words{"biaxial",
+                                         given.string(),
+                                         "--out",
+                                         folder.string(),
+                                         "--force",
+                                         "--threads",
+                                         "1-" + std::to_string(threads_each_)};
     workers_.emplace_back(run, folder, words);
     waiting_.erase(waiting_.begin());
   }

@@ -2,7 +2,9 @@
 #include "apps/commands.hpp"
 #include "core/base/error.hpp"
 
+#include <cstdlib>
 #include <gmock/gmock.h>
+#include <omp.h>
 
 using namespace riedel;
 using testing::AllOf;
@@ -52,14 +54,27 @@ TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
 }
 
 TEST(CommandLine, TakesAPositiveNumberOfThreads) {
-  EXPECT_EQ(parsed({"--threads", "3"}).threads(), 3);
-  EXPECT_GE(parsed({}).threads(), 1);
-  for (const char* wrong : {"0", "-1", "two", "2.5", "", "99999999999"})
+  const auto threads = [](const std::vector<std::string>& words) {
+    const ThreadRange range = parsed(words).threads();
+    return std::pair(range.least, range.most);
+  };
+  EXPECT_EQ(threads({"--threads", "3"}), std::pair(3, 3));
+  EXPECT_EQ(threads({"--threads", "1-4"}), std::pair(1, 4));
+  ::unsetenv("OMP_NUM_THREADS");
+  EXPECT_EQ(threads({}), std::pair(1, omp_get_num_procs()));
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(5); // as OpenMP does at the start of a program
+  ::setenv("OMP_NUM_THREADS", "5", 1);
+  EXPECT_EQ(threads({}), std::pair(5, 5)) << "OMP_NUM_THREADS is the default where it is set";
+  EXPECT_EQ(threads({"--threads", "2"}), std::pair(2, 2));
+  ::unsetenv("OMP_NUM_THREADS");
+  omp_set_num_threads(before);
+  for (const char* wrong : {"0", "-1", "two", "2.5", "", "99999999999", "4-2", "0-2", "1-", "-", "1-4-8", "1-2000"})
     EXPECT_THAT(
         [&] {
           (void)parsed({"--threads", wrong}).threads();
         },
-        error_with("allowed: an integer in [1, 1024]"))
+        error_with("allowed: an integer in [1, 1024], or a range"))
         << wrong;
 }
 

@@ -55,6 +55,17 @@ TEST(Threads, ChangeNoBitOfTheBiaxialTestWithEitherSearch) {
           << search << ", " << threads << " threads";
 }
 
+/// As a run does that looks for the number that is fastest.
+TEST(Threads, ChangeNoBitWhenTheirNumberChangesFromStepToStep) {
+  const std::vector<double> alone = after_steps(lively({}), 1, 300);
+  Simulation<2> simulation = make_biaxial(lively({}), catalogue());
+  for (int i = 0; i < 300; ++i) {
+    omp_set_num_threads(1 + i % 4);
+    simulation.step();
+  }
+  EXPECT_TRUE(same_bits(everything(simulation), alone));
+}
+
 TEST(Threads, ChangeNoBitOfTheBiaxialTestWithAnyAverager) {
   for (const std::string& averager : catalogue().in_2d.averagers.names()) {
     const Values values = lively({"nonlocal.averager=" + averager});
