@@ -57,7 +57,7 @@ Keys problem_keys(const std::string& test) {
 
 Keys point_keys() {
   return {{"driver.kind", "point", "", any, "what carries the test out", element_driver_names()},
-          {"driver.tolerance", 1e-6, "-", within(0, 0.1),
+          {"driver.tolerance", 1e-6, "-", between(1e-12, 0.1),
            "point: error allowed in a step, relative to the stress and to the strain of the step"}};
 }
 

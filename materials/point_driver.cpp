@@ -4,24 +4,44 @@
 #include "core/base/parameters.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
+#include <limits>
 
 namespace riedel {
 
-/// The conditions at the end of one step.
+namespace {
+
+constexpr double round_off = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+double Condition::course(double from, double share) const {
+  const double wave = swing == 0.0 ? 0.0 : std::sin(2.0 * std::numbers::pi * share + phase) - std::sin(phase);
+  return std::lerp(from, target, share) + swing * wave;
+}
+
+/// What one step has to meet at its end.
 struct PointDriver::Task {
   const Leg& leg;
   const LawPoint& start;
   std::array<double, 6> target;
-  double time;
-  double stress_scale; ///< [Pa]
+  double share, length; ///< of the leg at the end of the step, and that it takes
+  Allowed allowed;
 
-  /// @param from values of the measures at the start of the leg   @param share of the leg at the end of the step
-  Task(const Leg& of, const LawPoint& at, const std::array<double, 6>& from, double share, double length)
-      : leg(of), start(at), target(), time(length * of.duration), stress_scale(std::max(norm(at.stress), 1.0)) {
-    for (std::size_t c = 0; c < 6; ++c) target[c] = std::lerp(from[c], of.conditions[c].target, share);
+  /// @param from values of the measures at the start of the leg
+  Task(const Leg& of, const LawPoint& at, const std::array<double, 6>& from, double to, double by, const Allowed& error)
+      : leg(of), start(at), target(), share(to), length(by), allowed(error) {
+    for (std::size_t c = 0; c < 6; ++c) target[c] = of.conditions[c].course(from[c], share);
   }
-  [[nodiscard]] double allowed(std::size_t c) const {
-    return leg.conditions[c].of_stress ? 1e-9 * stress_scale : 1e-12;
+  [[nodiscard]] double allowed_in(std::size_t c) const {
+    return leg.conditions[c].of_stress ? allowed.stress : allowed.strain;
+  }
+  [[nodiscard]] double time() const { return length * leg.duration; }
+  /// L Δt of a motion that is given whole: of second order, as the step is.
+  [[nodiscard]] Mat<3> given_increment() const {
+    const Mat<3> change = leg.deformation - Mat<3>::Identity();
+    const Mat<3> before = Mat<3>::Identity() + (share - length) * change, after = Mat<3>::Identity() + share * change;
+    return 2.0 * (after - before) * (after + before).inverse();
   }
 };
 
@@ -42,33 +62,61 @@ Mat<3> increment_of(const Eigen::Matrix<double, 6, 1>& x, Leg::Motion motion) {
 PointDriver::PointDriver(const Material& law, LawPoint start, const PointControl& control)
     : law_(law), control_(control), point_(std::move(start)) {}
 
-PointDriver::Step PointDriver::attempt(const Task& task, const Vector& x) const {
+/// Residuals that Newton's method has to come below: a thousandth of the tolerance and less, but no less than
+/// round-off. A law that keeps its strain computes stress from it, to the round-off of strain times its stiffness.
+PointDriver::Allowed PointDriver::allowed() const {
+  const double speed = survey(law_, point_).wave_speed;
+  const double stiffness = law_.density(point_.state) * speed * speed;
+  const double noise = round_off * (32.0 * norm(point_.stress) + 16.0 * (std::isfinite(stiffness) ? stiffness : 0.0));
+  const double stress = std::min(1e-9, 1e-5 * control_.tolerance) * std::max(norm(point_.stress), 1.0);
+  return {.noise = noise,
+          .stress = std::max(stress, noise),
+          .strain = std::max(std::min(1e-12, 1e-6 * control_.tolerance), 16.0 * round_off)};
+}
+
+PointDriver::Step PointDriver::moved(const Task& task, const Vector& x, const Mat<3>& L) const {
   Step step{.end = {}, .increment = x, .report = {}, .residual = Vector::Zero(), .size = 0.0};
-  step.end = deformed(law_, task.start, increment_of(x, task.leg.motion), task.time, step.report);
+  step.end = deformed(law_, task.start, L, task.time(), step.report);
+  if (step.report.failures > 0) step.size = HUGE_VAL;
+  return step;
+}
+
+PointDriver::Step PointDriver::attempt(const Task& task, const Vector& x) const {
+  Step step = moved(task, x, increment_of(x, task.leg.motion));
   for (std::size_t c = 0; c < 6; ++c) {
-    const double r = (task.leg.conditions[c].measure(step.end) - task.target[c]) / task.allowed(c);
+    const double r = (task.leg.conditions[c].measure(step.end) - task.target[c]) / task.allowed_in(c);
     step.residual[static_cast<Eigen::Index>(c)] = r;
     step.size = std::max(step.size, std::isfinite(r) ? std::abs(r) : HUGE_VAL);
   }
-  if (step.report.failures > 0 || x.lpNorm<Eigen::Infinity>() > 0.5) step.size = HUGE_VAL;
+  if (x.lpNorm<Eigen::Infinity>() > 0.5) step.size = HUGE_VAL;
   return step;
 }
 
 /// Difference quotients of the residual. Laws are homogeneous in the rate, so the step is a share of the increment.
-PointDriver::Matrix PointDriver::slopes(const Task& task, const Step& at) const {
+/// What is smaller than round-off can make it, over the greatest stiffness, is a direction in which nothing changes.
+void PointDriver::take_slopes(const Task& task, const Step& at) {
   const double h = 1e-3 * std::max(at.increment.lpNorm<Eigen::Infinity>(), 1e-7);
   Matrix quotients;
   for (Eigen::Index j = 0; j < 6; ++j)
     quotients.col(j) = (attempt(task, at.increment + h * Vector::Unit(j)).residual - at.residual) / h;
-  for (Eigen::Index c = 0; c < 6; ++c) quotients.row(c) *= task.allowed(static_cast<std::size_t>(c)); // free of scale
-  return quotients;
+  double stiffness = 1e-300;
+  for (std::size_t c = 0; c < 6; ++c)
+    if (task.leg.conditions[c].of_stress)
+      stiffness = std::max(stiffness, task.allowed.stress * quotients.row(static_cast<Eigen::Index>(c)).norm());
+  for (std::size_t c = 0; c < 6; ++c)
+    scales_[static_cast<Eigen::Index>(c)] =
+        task.leg.conditions[c].of_stress ? task.allowed.stress / stiffness : task.allowed.strain;
+  for (Eigen::Index c = 0; c < 6; ++c) quotients.row(c) *= scales_[c];
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(std::clamp(task.allowed.noise / (h * stiffness), 1e-12, 1e-3));
+  decomposition.compute(quotients);
+  inverse_ = decomposition.pseudoInverse();
 }
 
 /// Newton's step with the slopes at hand; where they are new, it is shortened until it helps.
 PointDriver::Step PointDriver::corrected(const Task& task, const Step& step, bool slopes_are_new) const {
-  Vector residual = step.residual;
-  for (Eigen::Index c = 0; c < 6; ++c) residual[c] *= task.allowed(static_cast<std::size_t>(c));
-  const Vector change = slopes_.partialPivLu().solve(residual);
+  Vector change = Vector::Zero();
+  for (Eigen::Index c = 0; c < 6; ++c) change += scales_[c] * step.residual[c] * inverse_.col(c);
   Step next = attempt(task, step.increment - change);
   for (double part = 0.5; slopes_are_new && part > 0.05 && !(next.size < step.size); part *= 0.5)
     next = attempt(task, step.increment - part * change);
@@ -82,7 +130,7 @@ std::optional<PointDriver::Step> PointDriver::solve_from(const Task& task, const
   Step step = attempt(task, guess);
   for (int i = 0; i < most && step.size > 1.0; ++i) {
     const bool renewed = !has_slopes_;
-    if (renewed) slopes_ = slopes(task, step);
+    if (renewed) take_slopes(task, step);
     // At rest the law has a slope for each direction, and none of them need point downhill.
     const bool at_rest = step.increment.isZero();
     const Step next = corrected(task, step, renewed && !at_rest);
@@ -95,6 +143,7 @@ std::optional<PointDriver::Step> PointDriver::solve_from(const Task& task, const
   Eigen::Index worst = 0;
   step.residual.cwiseAbs().maxCoeff(&worst);
   missed_ = task.leg.conditions[static_cast<std::size_t>(worst)].name;
+  refused_ = step.report.reason;
   has_slopes_ = false;
   return std::nullopt;
 }
@@ -109,9 +158,21 @@ std::optional<PointDriver::Vector> PointDriver::scaled(const Task& task, const V
   return length * direction;
 }
 
+std::optional<PointDriver::Step> PointDriver::given_motion(const Task& task) {
+  const Mat<3> L = task.given_increment();
+  Vector x;
+  x << L(0, 0), L(1, 1), L(2, 2), L(0, 1) + L(1, 0), L(0, 2) + L(2, 0), L(1, 2) + L(2, 1);
+  Step step = moved(task, x, L);
+  if (step.size == 0.0) return step;
+  missed_ = "the deformation gradient";
+  refused_ = step.report.reason;
+  return std::nullopt;
+}
+
 /// Where Newton's method fails from the guess, it starts anew in other directions: a law that answers loading and
 /// unloading with different slopes may hide the one behind the other.
 std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vector& guess) {
+  if (task.leg.motion == Leg::Motion::given) return given_motion(task);
   if (auto step = solve_from(task, guess)) return step;
   std::vector<Vector> directions{last_direction_, -last_direction_, Vector::Zero()};
   directions.back().head<3>().setConstant(-1.0);
@@ -126,27 +187,42 @@ std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vect
 std::optional<PointDriver::Halves> PointDriver::step_and_halves(const Leg& leg, const std::array<double, 6>& from,
                                                                 double share, double length) {
   const double half = 0.5 * length;
-  const auto whole = solve({leg, point_, from, share + length, length}, length * rate_);
+  const Allowed error = allowed();
+  missed_.clear();
+  const auto whole = solve({leg, point_, from, share + length, length, error}, length * rate_);
   if (!whole) return std::nullopt;
-  const auto first = solve({leg, point_, from, share + half, half}, 0.5 * whole->increment);
+  const auto first = solve({leg, point_, from, share + half, half, error}, 0.5 * whole->increment);
   if (!first) return std::nullopt;
-  const auto second = solve({leg, first->end, from, share + length, half}, first->increment);
+  const auto second = solve({leg, first->end, from, share + length, half, error}, first->increment);
   if (!second) return std::nullopt;
-  const double size = std::max({norm(point_.stress), norm(second->end.stress), 1e-6});
-  const double stress = norm(whole->end.stress - second->end.stress) / size;
-  const double motion = (whole->end.F - second->end.F).norm() / std::max(whole->increment.norm(), 1e-300);
-  const double change = norm(second->end.stress - point_.stress) / (size * control_.largest_change);
-  return Halves{.first = *first,
-                .second = *second,
-                .error = std::max(stress, motion) / (3.0 * control_.tolerance),
-                .change = std::max(length > first_share() ? change : 0.0,
-                                   whole->increment.lpNorm<Eigen::Infinity>() / control_.largest_strain)};
+  missed_.clear(); // what failed on the way has been found from elsewhere
+  return compared(*whole, *first, *second, length, error);
+}
+
+/// At a kink, as where a law begins to yield, the error relative to the step does not fall with its length; there a
+/// share of the leg's deformation counts. Residuals and round-off are no errors of the step.
+PointDriver::Halves PointDriver::compared(const Step& whole, const Step& first, const Step& second, double length,
+                                          const Allowed& allowed) const {
+  constexpr double kink = 1e-4, residuals = 4.0;
+  const double moved = whole.increment.norm(), size = std::max(norm(point_.stress), norm(second.end.stress));
+  const double motion =
+      (whole.end.F - second.end.F).norm() / (0.5 * control_.tolerance * std::max(moved, kink * moved / length) +
+                                             residuals * allowed.strain + 32.0 * round_off * second.end.F.norm());
+  const double stress =
+      norm(whole.end.stress - second.end.stress) / (0.5 * control_.tolerance * size + residuals * allowed.stress);
+  const double change = norm(second.end.stress - point_.stress) / (std::max(size, 1e-6) * control_.largest_change);
+  return {.first = first,
+          .second = second,
+          .error = std::max(stress, motion),
+          .change = std::max(length > first_share() ? change : 0.0,
+                             whole.increment.lpNorm<Eigen::Infinity>() / control_.largest_strain)};
 }
 
 bool PointDriver::follow(const Leg& leg, const std::function<bool(const LawPoint&)>& go_on) {
-  constexpr double smallest_share = 1e-10;
+  const double smallest_share = std::clamp(1e-4 * control_.tolerance, 8.0 * round_off, 1e-10);
   std::array<double, 6> from{};
-  for (std::size_t c = 0; c < 6; ++c) from[c] = leg.conditions[c].measure(point_);
+  if (leg.motion != Leg::Motion::given)
+    for (std::size_t c = 0; c < 6; ++c) from[c] = leg.conditions[c].measure(point_);
   if (!rate_.isZero()) last_direction_ = rate_.normalized();
   rate_.setZero();
   has_slopes_ = false;
@@ -181,8 +257,11 @@ std::string PointDriver::lost(double share) const {
     where += "eps_" + std::to_string(a + 1) + " = " + short_text(1.0 - point_.F(a, a), 4) + ", ";
   for (int a = 0; a < 3; ++a)
     where += (a ? ", " : "") + ("sigma_" + std::to_string(a + 1)) + " = " + short_text(-point_.stress.m[a], 4) + " Pa";
-  return "no deformation gives " + missed_ + " what the path asks for: the material cannot follow beyond " +
-         short_text(100.0 * share, 4) + " % of this leg (" + where + "); it is at its limit state, or without stress";
+  const std::string place = short_text(100.0 * share, 4) + " % of this leg (" + where + ")";
+  if (missed_.empty()) return "the stress jumps, however short the step, beyond " + place;
+  if (!refused_.empty()) return "the law failed beyond " + place + ": " + std::string(refused_);
+  return "no deformation gives " + missed_ + " what the path asks for: the material cannot follow beyond " + place +
+         "; it is at its limit state, or without stress";
 }
 
 } // namespace riedel
