@@ -1,5 +1,6 @@
 #include "apps/bench_options.hpp"
 
+#include "apps/catalogue.hpp"
 #include "apps/velocity_transfers.hpp"
 #include "core/io/units.hpp"
 
@@ -13,18 +14,19 @@ namespace {
 using Texts = std::vector<std::string>;
 
 const Options& choices() {
+  static const Catalogue catalogue = full_catalogue();
   static const Options all{
-      {"scheme", "A,B", "interpolation schemes; default: gimp"},
-      {"material", "A,B", "laws; default: gudehus_bauer"},
-      {"dimension", "2,3", "default: 2"},
+      {"scheme", "A,B", "interpolation schemes; default: gimp", true, catalogue.in_2d.schemes.names()},
+      {"material", "A,B", "laws; default: gudehus_bauer", true, catalogue.materials.names()},
+      {"dimension", "2,3", "default: 2", true, {"2", "3"}},
       {"points", "N,M", "material points, whole cells near it; default: 2e3,1e4,1e5,1e6"},
       {"per-cell", "N", "points in a cell along each direction; default: 2"},
-      {"order", "A,B", "of the step: musl, usl, usf; default: musl"},
-      {"transfer", "A,B", "of velocities: flip, apic, tpic, xpic; default: flip"},
+      {"order", "A,B", "of the step: musl, usl, usf; default: musl", true, step_orders()},
+      {"transfer", "A,B", "of velocities: flip, apic, tpic, xpic; default: flip", true, transfer_names()},
       {"length", "A,B", "l_c in m, or with a unit: 1.5mm; 0 is local; default: 0"},
-      {"averager", "A,B", "default: gauss"},
-      {"search", "A,B", "for neighbours; default: cgal_kd_tree"},
-      {"stencils", "A,B", "kept for a step, evaluated in blocks, or auto; default: auto"},
+      {"averager", "A,B", "default: gauss", true, catalogue.in_2d.averagers.names()},
+      {"search", "A,B", "for neighbours; default: cgal_kd_tree", true, catalogue.in_2d.searches.names()},
+      {"stencils", "A,B", "kept for a step, evaluated in blocks, or auto; default: auto", true, stencil_memory()},
       {"threads", "N,M", "default: 1"},
   };
   return all;

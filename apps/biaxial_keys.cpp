@@ -1,5 +1,6 @@
 #include "apps/biaxial_keys.hpp"
 
+#include "apps/case_kind.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/interpolation_keys.hpp"
 #include "apps/step_keys.hpp"
@@ -100,8 +101,10 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
 }
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  CheckedCase checked = checked_case(given, biaxial_keys(catalogue, model_of(given)),
-                                     [&](const Values& values) { return check_biaxial(values, catalogue); });
+  CheckedCase checked = checked_case(
+      given, biaxial_keys(catalogue, model_of(given)),
+      [&](const Values& values) { return check_biaxial(values, catalogue); },
+      [&](std::vector<Finding>& errors) { explain_unknown_biaxial_keys(given, catalogue, errors); });
   try_material(given, checked.values, catalogue);
   return checked;
 }

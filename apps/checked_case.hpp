@@ -19,8 +19,10 @@ struct CheckedCase {
   std::vector<std::string> warnings; ///< each with its place
 };
 
-/// @param check looks at all values together   @throws InputError with a line for everything that is wrong
-CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Findings(const Values&)>& check);
+/// @param check looks at all values together   @param explain adds to what is said of single keys
+/// @throws InputError with a line for everything that is wrong
+CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Findings(const Values&)>& check,
+                         const std::function<void(std::vector<Finding>&)>& explain);
 
 /// For messages: rounded to four digits.
 std::string rounded(double x);

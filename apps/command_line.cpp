@@ -17,41 +17,73 @@ namespace {
 namespace po = boost::program_options;
 using Texts = std::vector<std::string>;
 
+std::string joined(const Texts& words, const std::string& between) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : between) + word;
+  return all;
+}
+
+/// With those that every command has.
+Options options_of(const Command& command) {
+  Options options = command.options;
+  options.push_back({"help", "", ""});
+  options.push_back({"version", "", ""});
+  return options;
+}
+
 po::options_description described(const Options& options) {
   po::options_description description;
   for (const Option& option : options) {
+    std::string names = option.name;
+    if (const char letter = letter_of(option.name)) (names += ',') += letter;
     if (option.value.empty())
-      description.add_options()(option.name.c_str(), "");
+      description.add_options()(names.c_str(), "");
     else
-      description.add_options()(option.name.c_str(), po::value<Texts>()->composing(), "");
+      description.add_options()(names.c_str(), po::value<Texts>()->composing(), "");
   }
   return description;
-}
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size() + 2, width), ' ');
-  return text;
-}
-
-std::string line(const Option& option) {
-  return "  " + padded("--" + option.name + (option.value.empty() ? "" : " " + option.value), 20) + option.doc + "\n";
 }
 
 std::string hint(const Command& command) { return "; see 'riedel " + command.name + " --help'"; }
 
 std::string unknown_option_text(const Command& command, const std::string& given) {
-  Texts names{"--help"};
-  for (const Option& option : command.options) names.push_back("--" + option.name);
+  Texts names;
+  for (const Option& option : options_of(command)) names.push_back("--" + option.name);
   return "unknown option " + given + did_you_mean(given, names) + hint(command);
 }
 
 std::string wrong_value_text(const Command& command, const po::error_with_option_name& error) {
-  for (const Option& option : command.options)
-    if ("--" + option.name == error.get_option_name())
+  const std::string given = error.get_option_name();
+  for (const Option& option : options_of(command))
+    if (given == "--" + option.name || given == std::string{'-', letter_of(option.name)})
       return "--" + option.name +
              (option.value.empty() ? " takes no value" : " needs a value: --" + option.name + " " + option.value) +
              hint(command);
   return error.what() + hint(command);
+}
+
+/// Letters do not stick together: -out is no "-o ut" but a long option with a dash too few.
+void refuse_single_dashes(const Command& command, const Texts& words) {
+  for (const std::string& word : words) {
+    if (word == "--") return;
+    const bool letters = word.size() > 2 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+    if (letters) throw InputError(unknown_option_text(command, word.substr(0, word.find('='))));
+  }
+}
+
+void refuse_repeats(const Command& command, const Arguments& arguments) {
+  for (const Option& option : command.options) {
+    const auto given = arguments.options.find(option.name);
+    const bool several = option.repeated || option.value.find(',') != std::string::npos;
+    if (several || given == arguments.options.end() || given->second.size() < 2) continue;
+    throw InputError("--" + option.name + " is given twice: " + given->second[0] + " and " + given->second[1] +
+                     "; give it once" + hint(command));
+  }
+}
+
+/// Whether the last word asks for help, and is no file or folder.
+bool asks_for_help(const Texts& words) {
+  return !words.empty() && words.back() == "help" && !std::filesystem::exists("help");
 }
 
 /// What the user typed, with quotes where a shell needs them.
@@ -128,13 +160,7 @@ Texts Arguments::list(std::string_view option, const Texts& otherwise) const {
 
 Texts Arguments::names(std::string_view option, const Texts& otherwise, const Texts& known) const {
   Texts given = list(option, otherwise);
-  for (const std::string& name : given) {
-    if (std::ranges::find(known, name) != known.end()) continue;
-    std::string all;
-    for (const std::string& each : known) all += (all.empty() ? "" : ", ") + each;
-    throw InputError("--" + std::string(option) + " " + name + ": unknown" + did_you_mean(name, known) +
-                     "; known: " + all);
-  }
+  refuse_unknown_names("--" + std::string(option), given, known);
   return given;
 }
 
@@ -152,11 +178,12 @@ CaseFile Arguments::with_settings(CaseFile file) const {
 }
 
 Options case_options() {
-  return {{"set", "KEY=VALUE", "set a key of the case, such as --set grid.cells=[16,56]; may be repeated"}};
+  return {{"set", "KEY=VALUE", "set a key of the case, such as --set grid.cells=[16,56]; may be repeated", true}};
 }
 
 Option plugin_option() {
-  return {"plugin", "FILE.so", "load a plug-in, beside those in the folders of RIEDEL_PLUGIN_PATH; may be repeated"};
+  return {"plugin", "FILE.so", "load a plug-in, beside those in the folders of RIEDEL_PLUGIN_PATH; may be repeated",
+          true};
 }
 
 Options run_options(const std::string& folder) {
@@ -168,10 +195,24 @@ Options run_options(const std::string& folder) {
   return options;
 }
 
+void refuse_unknown_names(const std::string& place, const Texts& given, const Texts& known) {
+  const auto unknown = std::ranges::find_if(
+      given, [&](const std::string& name) { return std::ranges::find(known, name) == known.end(); });
+  if (unknown == given.end()) return;
+  std::string which = ": unknown";
+  if (given.size() > 1)
+    which = ": number " + std::to_string(unknown - given.begin() + 1) + " of the list, " + *unknown + ", is unknown";
+  throw InputError(place + " " + joined(given, ",") + which + did_you_mean(*unknown, known) +
+                   "; known: " + joined(known, ", "));
+}
+
+char letter_of(std::string_view option) {
+  return option == "help" || option == "version" || option == "out" ? option.front() : '\0';
+}
+
 Arguments parse(const Command& command, const std::vector<std::string>& words) {
-  Options options = command.options;
-  options.push_back({"help", "", ""});
-  const po::options_description known = described(options);
+  refuse_single_dashes(command, words);
+  const po::options_description known = described(options_of(command));
   Arguments arguments{.command = typed(command, words), .words = {}, .options = {}};
   try {
     namespace style = po::command_line_style;
@@ -188,46 +229,15 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
   } catch (const po::error_with_option_name& error) {
     throw InputError(wrong_value_text(command, error));
   } catch (const po::error& error) { throw InputError(error.what() + hint(command)); }
+  if (asks_for_help(arguments.words)) {
+    arguments.words.pop_back();
+    arguments.options["help"];
+  }
+  refuse_repeats(command, arguments);
   if (!arguments.has("help") && arguments.words.size() > command.most_words)
     throw InputError("'" + arguments.words[command.most_words] + "' is one word too many; expected: riedel " +
                      command.name + " " + command.usage);
   return arguments;
-}
-
-const Command& find_command(std::span<const Command> commands, std::string_view name) {
-  Texts names;
-  for (const Command& command : commands) {
-    if (command.name == name) return command;
-    names.push_back(command.name);
-  }
-  std::string known;
-  for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
-  throw InputError("unknown command '" + std::string(name) + "'" + did_you_mean(name, names) + "; known: " + known);
-}
-
-std::string help(const Command& command) {
-  std::string text = "riedel " + command.name + " " + command.usage + "\n\n" + command.summary + "\n\nOptions\n";
-  for (const Option& option : command.options) text += line(option);
-  text += line({"help", "", "print this"});
-  return command.more_help == nullptr ? text : text + "\n" + command.more_help();
-}
-
-std::string help(std::span<const Command> commands) {
-  std::string text = "riedel: the material point method for shear localisation in sand\n\nCommands\n";
-  for (const Command& command : commands) text += "  " + padded(command.name, 12) + command.summary + "\n";
-  return text + R"(
-Examples
-  riedel biaxial                                        the paper's case; leaves its results in results/biaxial
-  riedel biaxial --set scheme=cpdi --out results/cpdi   one key changed
-  riedel check > case.toml                              a case file with every key, to edit
-  riedel biaxial case.toml --out results/mine           and to run
-  riedel element triaxial --set specimen.void_ratio=0.7 an element test: oedometer, triaxial, shear, biaxial
-  riedel biaxial --set material.plugin=mine.so --set material.model=mine    a law of one's own
-
-'riedel COMMAND --help' tells more of each command; 'riedel --version' prints the version. The paper is
-Krzyżanowski, Wójcik and Tejchman (2020).
-Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 4 a plug-in is missing, 130 or 143 interrupted, 1 a bug.
-)";
 }
 
 std::string version() { return "riedel " RIEDEL_VERSION; }

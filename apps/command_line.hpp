@@ -37,8 +37,10 @@ struct Arguments {
 
 struct Option {
   std::string name;
-  std::string value; ///< what stands for its value in the help; empty: a switch
+  std::string value; ///< what stands for its value in the help; empty: a switch; with a comma: a list
   std::string doc;
+  bool repeated = false;                 ///< may be given more than once; lists always may
+  std::vector<std::string> choices = {}; ///< the words that its value, or its list, is made of; empty: any
 };
 using Options = std::vector<Option>;
 Options case_options(); ///< --set
@@ -53,18 +55,24 @@ struct Command {
   std::string summary;
   std::size_t most_words; ///< that belong to no option
   Options options;
-  int (*run)(const Arguments&);         ///< returns the exit code
-  std::string (*more_help)() = nullptr; ///< what `--help` adds at its end
+  int (*run)(const Arguments&); ///< returns the exit code
+  /// What `--help` adds at its end; it may depend on the words and settings beside it.
+  std::string (*more_help)(const Arguments&) = nullptr;
+  std::vector<std::string> first_words = {}; ///< what the first word can be, for completion; empty: as usage says
 };
 
+/// @param place of the list, such as "--schemes"   @throws InputError for the first name that is not known: with its
+/// place in a list of several, the nearest known one, and all
+void refuse_unknown_names(const std::string& place, const std::vector<std::string>& given,
+                          const std::vector<std::string>& known);
+
+/// The letter that stands for an option as well, -o for --out; 0 for none.
+char letter_of(std::string_view option);
+
+/// `--help`, `-h` and a last word `help` are the option "help"; "version" likewise.
 /// @throws InputError with a hint when the words do not fit the command
 Arguments parse(const Command& command, const std::vector<std::string>& words);
 
-/// @throws InputError that lists the known ones
-const Command& find_command(std::span<const Command> commands, std::string_view name);
-
-std::string help(const Command& command);
-std::string help(std::span<const Command> commands);
 std::string version();
 
 } // namespace riedel

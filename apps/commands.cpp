@@ -1,38 +1,31 @@
 #include "apps/commands.hpp"
 
 #include "apps/bench_options.hpp"
-#include "apps/biaxial_keys.hpp"
+#include "apps/campaign/script.hpp"
+#include "apps/case_help.hpp"
 #include "apps/catalogue.hpp"
+#include "apps/element_drivers.hpp"
 #include "apps/element_keys.hpp"
-#include "apps/key_tables.hpp"
+#include "apps/reproduce/paper_runs.hpp"
 #include "apps/verify/problem.hpp"
 
 namespace riedel {
 
 namespace {
 
-std::string biaxial_keys_help() { return keys_help(biaxial_keys(full_catalogue(), paper_model)); }
+std::vector<std::string> scheme_names() { return full_catalogue().in_2d.schemes.names(); }
 
 Options element_options() {
   Options options = case_options();
   options.push_back({"out", "DIR", "folder for the results; default: results/element/TEST"});
-  options.push_back({"driver", "NAME", "what carries the test out; as --set driver.kind=NAME"});
-  options.push_back({"vary", "KEY=A,B", "run the case for each value, in a folder each; may be repeated: crossed"});
+  options.push_back(
+      {"driver", "NAME", "what carries the test out; as --set driver.kind=NAME", false, element_driver_names()});
+  options.push_back(
+      {"vary", "KEY=A,B", "run the case for each value, in a folder each; may be repeated: crossed", true});
   options.push_back({"import", "DIR", "path: take it from parameters.inp, initialconditions.inp and test.inp in DIR"});
   options.push_back({"reference", "FILE.csv", "show a curve with columns named as in element.csv beside the others"});
   options.push_back({"force", "", "write over the results that the folder holds"});
   return options;
-}
-
-std::string element_help() {
-  std::string text = "A path is a case with [[stage]] tables: docs/howto/element_paths.md.\n\n"
-                     "Examples\n"
-                     "  riedel element triaxial --vary specimen.void_ratio=0.6,0.75,0.9\n"
-                     "  riedel element shear --set loading.normal_stress=\"50 kPa\" --out results/shear50\n"
-                     "  riedel element path mine.toml\n";
-  for (const std::string& test : element_tests())
-    text += "\n" + test + ": " + keys_help(element_keys(full_catalogue(), test, paper_model));
-  return text;
 }
 
 Options check_options() {
@@ -43,8 +36,10 @@ Options check_options() {
 }
 
 Options verify_options() {
-  return {{"schemes", "A,B", "default: all; 'riedel list schemes' names them"},
-          {"problems", "A,B", "default: all; they are named below"},
+  std::vector<std::string> problems;
+  for (const VerifyProblem& problem : verify_problems()) problems.push_back(problem.name);
+  return {{"schemes", "A,B", "default: all; 'riedel list schemes' names them", true, scheme_names()},
+          {"problems", "A,B", "default: all; they are named below", true, problems},
           {"points", "N", "in a cell along each axis; default: the problem's own number, mostly 2"},
           {"out", "DIR", "folder for tables, numbers and pictures; default: results/verify"},
           {"document", "FILE.md", "put the tables between <!-- riedel verify --> and <!-- riedel verify ends -->"},
@@ -52,7 +47,7 @@ Options verify_options() {
           plugin_option()};
 }
 
-std::string verify_help() {
+std::string verify_help(const Arguments&) {
   std::string text = "Problems\n";
   for (const VerifyProblem& problem : verify_problems())
     text += "  " + problem.name + ": " + problem.title + "\n    " + problem.measure + "\n    " + problem.source + "\n";
@@ -70,17 +65,20 @@ Examples
 
 Options compare_options() {
   Options options = case_options();
-  options.push_back({"schemes", "A,B", "interpolation schemes; 'all' stands for every one there is"});
-  options.push_back({"vary", "KEY=A,B", "values of a key; may be repeated: all lists are crossed"});
+  std::vector<std::string> schemes = scheme_names();
+  schemes.emplace_back("all");
+  options.push_back({"schemes", "A,B", "interpolation schemes; 'all' stands for every one there is", true, schemes});
+  options.push_back({"vary", "KEY=A,B", "values of a key; may be repeated: all lists are crossed", true});
   options.push_back({"out", "DIR", "folder of the campaign; default: results/ and the name of the case file"});
   options.push_back({"threads", "N", "of all runs together; default: all of the machine"});
   options.push_back({"dry-run", "", "list the runs, with their shares of the work, and start none"});
-  options.push_back({"script", "KIND", "start none, and write a script for elsewhere: slurm or parallel"});
+  options.push_back(
+      {"script", "KIND", "start none, and write a script for elsewhere: slurm or parallel", false, script_kinds()});
   options.push_back({"force", "", "remove the campaign that the folder holds, with its runs"});
   return options;
 }
 
-std::string compare_help() {
+std::string compare_help(const Arguments&) {
   return R"(Every combination is a run of the biaxial test in a folder of its own. A run that fails, or cannot begin, is a row
 that says so. A campaign that was stopped, or killed, goes on when the same command is given again. results.csv has a
 row for each run, with every figure of its summary.json; report.html shows curves, fields and tables in a browser.
@@ -101,8 +99,11 @@ Examples
 
 Options reproduce_options() {
   Options options = case_options();
-  options.push_back({"figure", "N,M", "of 2, 3, 4, 5, 7, 8, 9, 10; default: all"});
-  options.push_back({"scheme", "NAME", "interpolation scheme of Figures 7 to 10; default: gimp"});
+  std::vector<std::string> figures;
+  for (const int figure : all_figures) figures.push_back(std::to_string(figure));
+  options.push_back({"figure", "N,M", "of 2, 3, 4, 5, 7, 8, 9, 10; default: all", true, figures});
+  options.push_back(
+      {"scheme", "NAME", "interpolation scheme of Figures 7 to 10; default: gimp", false, scheme_names()});
   options.push_back({"out", "DIR", "folder of runs, pictures and report; default: results/reproduce/ and the scheme"});
   options.push_back({"threads", "N", "of all runs together; default: all of the machine"});
   options.push_back(
@@ -111,7 +112,7 @@ Options reproduce_options() {
   return options;
 }
 
-std::string reproduce_help() {
+std::string reproduce_help(const Arguments&) {
   return R"(The paper is Krzyżanowski, Wójcik and Tejchman (2020). Figures 2 to 5 are element tests at one point; 7 to 10 are runs
 of the biaxial test, several at once: three meshes with two time steps each, seven characteristic lengths, three void
 ratios. report.html sets every statement of the paper's text beside what was measured and what theory says. Stopped, or
@@ -123,18 +124,21 @@ Examples
 )";
 }
 
-std::string umat_check_help() {
-  return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
-check.strain are the start and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its answer
-depends on the frame, or if it fails.
+Options list_options() { return {plugin_option()}; }
 
-Example
-  riedel umat-check build/mine.so --set material.parameters=[1e8,0.3] --set check.stress=[0,0,0,0,0,0]
+std::string list_help(const Arguments&) {
+  return R"(A name that stands alone is shown whole: what it is, where it comes from, its parameters with unit, default and range,
+and of a law its state variables and what it takes averaged.
 
-)" + keys_help(umat_check_keys());
+Examples
+  riedel list schemes
+  riedel list mohr_coulomb
+  riedel list nonlocal.length
+  riedel list --plugin build/wu_bauer.so wu_bauer
+)";
 }
 
-std::string bench_help() {
+std::string bench_help(const Arguments&) {
   return R"(Lists are crossed: --scheme linear,cpdi --points 1e4,1e5 makes four cases. Each is a block of sand under 100 kPa that
 shears and is compressed by 1e-6 in a step. The total is the median of the repeats, without the clock of the phases;
 the phases are measured in a repeat of their own. Bytes are what the program holds for the case. "of bare kernel"
@@ -155,10 +159,10 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"biaxial", "[CASE.toml] [options]",
        "Plane strain compression of a sand specimen; the paper's case when none is given.", 1,
-       run_options("results/biaxial"), biaxial, biaxial_keys_help},
+       run_options("results/biaxial"), biaxial, biaxial_help},
       {"element", "TEST [CASE.toml] [options]",
        "Element tests: oedometer, triaxial, shear, biaxial, or a path of one's own.", 2, element_options(), element,
-       element_help},
+       element_help, element_tests()},
       {"compare", "[CASE.toml] [options]",
        "The same case under many schemes and settings, several at once, with a report.", 1, compare_options(), compare,
        compare_help},
@@ -167,13 +171,10 @@ const std::vector<Command>& commands() {
        reproduce_options(), reproduce, reproduce_help},
       {"check", "[CASE.toml] [options]",
        "Checks a case, tells all errors at once, or prints it with every key in force.", 1, check_options(), check,
-       biaxial_keys_help},
-      {"list",
-       "[schemes|materials|searches|averagers|plugins]",
-       "What can be named in a case, with parameters and units.",
-       1,
-       {plugin_option()},
-       list},
+       check_help},
+      {"list", "[schemes|materials|searches|averagers|plugins|NAME ...] [options]",
+       "What can be named in a case: everything, a group, or one scheme, law, search, averager or key whole.", 100,
+       list_options(), list, list_help, list_words()},
       {"bench", "[options]", "Nanoseconds per point and step, by phase; what peers reach; what the machine can do.", 0,
        bench_options(), bench, bench_help},
       {"verify", "[options]", "Problems with known answers under every scheme: errors, orders of convergence, cost.", 0,

@@ -16,6 +16,9 @@ int collect(const Arguments& arguments);
 int reproduce(const Arguments& arguments);
 int umat_check(const Arguments& arguments);
 
+/// The words that `riedel list` knows: groups, then the names in them.
+std::vector<std::string> list_words();
+
 /// The keys of `riedel umat-check`.
 Keys umat_check_keys();
 

@@ -32,13 +32,13 @@ struct Run {
 
 std::string test_named(const Arguments& arguments) {
   const std::vector<std::string>& tests = element_tests();
-  std::string known;
-  for (const std::string& test : tests) known += (known.empty() ? "" : ", ") + test;
-  if (arguments.words.empty()) throw InputError("riedel element needs a test: " + known);
-  const std::string& test = arguments.words.front();
-  if (std::ranges::find(tests, test) == tests.end())
-    throw InputError("unknown element test '" + test + "'; known: " + known);
-  return test;
+  if (arguments.words.empty()) {
+    std::string known;
+    for (const std::string& test : tests) known += (known.empty() ? "" : ", ") + test;
+    throw InputError("riedel element needs a test: " + known);
+  }
+  refuse_unknown_names("element test", {arguments.words.front()}, tests);
+  return arguments.words.front();
 }
 
 /// The case file, or the one that --import makes.

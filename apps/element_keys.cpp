@@ -1,5 +1,6 @@
 #include "apps/element_keys.hpp"
 
+#include "apps/case_kind.hpp"
 #include "apps/element_drivers.hpp"
 #include "apps/element_specimen.hpp"
 #include "apps/interpolation_keys.hpp"
@@ -195,8 +196,11 @@ CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
   const bool known = std::ranges::find(element_tests(), wish) != element_tests().end();
   Keys keys = element_keys(catalogue, known ? wish : "triaxial", model_of(given));
   if (wish == "path") append(keys, path_keys(given));
-  CheckedCase checked =
-      checked_case(given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); });
+  CheckedCase checked = checked_case(
+      given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); },
+      [&](std::vector<Finding>& errors) {
+        explain_unknown_element_keys(given, known ? wish : "triaxial", catalogue, errors);
+      });
   try_material(given, checked.values, catalogue);
   // A measure that a stage leaves free is no condition: nothing to write down.
   std::erase_if(checked.keys, [&](const Key& key) {

@@ -59,9 +59,10 @@ std::string help_line(const Key& key, std::size_t indent) {
   const std::size_t margin = indent + name + value + range;
   const std::string choices = allowed(key);
   const bool fits = letters(choices) + 2 <= range;
-  return std::string(indent, ' ') + padded(key.name, name) + padded(default_text(key), value) +
-         padded(fits ? choices : "", range) + wrapped(key.doc, doc, margin) + "\n" +
-         (fits ? "" : std::string(margin, ' ') + choices + "\n");
+  const std::string named = padded(std::string(indent, ' ') + key.name, indent + name);
+  const std::string valued = padded(named + default_text(key), indent + name + value);
+  return padded(valued + (fits ? choices : ""), margin) + wrapped(key.doc, doc, margin) + "\n" +
+         (fits ? "" : std::string(margin, ' ') + wrapped(choices, doc, margin) + "\n");
 }
 
 constexpr const char* table_head = "| key | unit | default | allowed | |\n|---|---|---|---|---|\n";
@@ -111,16 +112,17 @@ std::string element_reference(const Catalogue& catalogue) {
 
 bool has_source(const Description& description) { return !description.source.empty() && description.source != "-"; }
 
-std::string keys_help(const Keys& keys) {
-  std::string text = "Keys of the case: name, default, what is allowed, what it is\n"
-                     "Numbers are SI (angles in degrees) or texts with a unit: \"50 kPa\", \"1.5 mm\", \"33 deg\".\n";
+std::string keys_help(const Keys& keys, const std::string& whose) {
+  std::string text = "Keys of the case " + whose +
+                     "\nName, default, what is allowed, what it is; numbers are SI (angles in degrees) or texts with a "
+                     "unit: \"50 kPa\", \"33 deg\"\n";
   std::string section = "none yet";
   for (const Key& key : keys) {
     if (section_of(key) != section) text += "\n";
     section = section_of(key);
     text += help_line(key, 2);
   }
-  return text + "\n'riedel list materials' shows the parameters of the other laws.\n";
+  return text + "\n'riedel list' names the laws and the schemes, 'riedel list NAME' shows one with its parameters.\n";
 }
 
 std::string parameters_help(const Keys& parameters) {

@@ -9,7 +9,8 @@ namespace riedel {
 bool has_source(const Description& description);
 
 /// A table for a terminal: name, default with unit, range or choices, and what each key is.
-std::string keys_help(const Keys& keys);
+/// @param whose keys they are, such as "with the law umat"
+std::string keys_help(const Keys& keys, const std::string& whose);
 
 /// Lines for the parameters of one scheme or law.
 std::string parameters_help(const Keys& parameters);

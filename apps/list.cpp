@@ -1,55 +1,123 @@
+/// riedel list: what can be named in a case.
+#include "apps/biaxial_keys.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/entry_text.hpp"
 #include "apps/key_tables.hpp"
 #include "core/base/error.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 
 namespace riedel {
 
 namespace {
 
-template <class Make>
-std::string entries(std::string_view title, const Registry<Make>& registry) {
-  std::string text = std::string(title) + "\n";
-  for (const auto& [description, make] : registry.entries()) {
-    text += "  " + description.name + ": " + description.summary + "\n";
-    if (has_source(description)) text += "    " + description.source + "\n";
-    text += parameters_help(description.parameters);
+using Texts = std::vector<std::string>;
+
+/// One thing that can be named: a line or more in a group's list, and all that is known of it.
+struct Entry {
+  std::string name, brief;
+  std::function<std::string()> whole;
+};
+
+struct Group {
+  std::string name; ///< "schemes"
+  std::vector<Entry> entries;
+  std::string if_empty;
+};
+
+/// @param whole the text of an entry that stands alone
+template <class Make, class Whole>
+Group group(const std::string& name, const Registry<Make>& registry, const Whole& whole) {
+  Group all{name, {}, ""};
+  for (const auto& entry : registry.entries())
+    all.entries.push_back({entry.description.name, brief_text(entry.description), [=] { return whole(entry); }});
+  return all;
+}
+
+Group group_of(const std::vector<LoadedPlugin>& plugins) {
+  Group all{"plugins", {}, "  none; RIEDEL_PLUGIN_PATH names folders to look into\n"};
+  for (const LoadedPlugin& plugin : plugins) {
+    std::string text = "  " + plugin.path.string() + ", compiled by g++ " + plugin.compiler + "\n";
+    for (const std::string& entry : plugin.brings) text += "    " + entry + "\n";
+    all.entries.push_back({plugin.path.filename().string(), text, [=] { return "plug-in\n" + text; }});
   }
+  return all;
+}
+
+std::vector<Group> groups_of(const Inventory& inventory) {
+  const Catalogue& all = inventory.catalogue;
+  const auto keyed = [](std::string kind, std::string key) {
+    return [=](const auto& entry) { return entry_text(entry.description, kind, key); };
+  };
+  const auto of_scheme = [&all](const auto& entry) { return scheme_text(entry.description, all); };
+  return {group("schemes", all.in_2d.schemes, of_scheme), group("materials", all.materials, law_text),
+          group("searches", all.in_2d.searches, keyed("search for neighbours", "nonlocal.search")),
+          group("averagers", all.in_2d.averagers, keyed("averager", "nonlocal.averager")), group_of(inventory.plugins)};
+}
+
+std::string text_of(const Group& group) {
+  std::string text = group.name + "\n";
+  for (const Entry& entry : group.entries) text += entry.brief;
+  return group.entries.empty() ? text + group.if_empty : text;
+}
+
+/// Of keys, and of words that a key can take.
+std::string key_text(const std::string& wish, const Catalogue& catalogue) {
+  std::string text;
+  for (const Key& key : biaxial_keys(catalogue, ""))
+    if (key.name == wish || std::ranges::find(key.choices, wish) != key.choices.end())
+      text += (key.name == wish ? "key\n" : "\"" + wish + "\" is a value of the key\n") + parameters_help({key});
   return text;
 }
 
-std::string loaded(const std::vector<LoadedPlugin>& plugins) {
-  std::string text = "plugins\n";
-  for (const LoadedPlugin& plugin : plugins) {
-    text += "  " + plugin.path.string() + ", compiled by g++ " + plugin.compiler + "\n";
-    for (const std::string& entry : plugin.brings) text += "    " + entry + "\n";
+/// Everything that a word stands for, as some words name two things. @throws InputError when it is nothing
+std::string text_of(const std::string& wish, const std::vector<Group>& groups, const Catalogue& catalogue) {
+  Texts texts, names, known;
+  for (const Group& group : groups) {
+    known.push_back(group.name);
+    if (group.name == wish) texts.push_back(text_of(group));
   }
-  return plugins.empty() ? text + "  none; RIEDEL_PLUGIN_PATH names folders to look into\n" : text;
+  for (const Group& group : groups)
+    for (const Entry& entry : group.entries) {
+      names.push_back(entry.name);
+      if (entry.name == wish) texts.push_back(entry.whole());
+    }
+  if (texts.empty()) texts.push_back(key_text(wish, catalogue));
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "\n") + text;
+  if (!all.empty()) return all;
+  names.insert(names.begin(), known.begin(), known.end());
+  for (const Key& key : biaxial_keys(catalogue, "")) names.push_back(key.name);
+  std::string list;
+  for (const std::string& each : known) list += each + ", ";
+  throw InputError("nothing to list is called '" + wish + "'" + did_you_mean(wish, names) + "; known: " + list +
+                   "a name in one of them, or a key of a case");
 }
 
 } // namespace
 
-/// `riedel list`: what can be named in a case.
+std::vector<std::string> list_words() {
+  const Catalogue all = full_catalogue();
+  Texts words{"schemes", "materials", "searches", "averagers", "plugins"};
+  for (const Texts& names :
+       {all.in_2d.schemes.names(), all.materials.names(), all.in_2d.searches.names(), all.in_2d.averagers.names()})
+    words.insert(words.end(), names.begin(), names.end());
+  return words;
+}
+
 int list(const Arguments& arguments) {
-  const auto [catalogue, plugins] = inventory(arguments.list("plugin", {}));
-  const std::vector<std::pair<std::string, std::string>> groups{
-      {"schemes", entries("schemes", catalogue.in_2d.schemes)},
-      {"materials", entries("materials", catalogue.materials)},
-      {"searches", entries("searches", catalogue.in_2d.searches)},
-      {"averagers", entries("averagers", catalogue.in_2d.averagers)},
-      {"plugins", loaded(plugins)}};
-  const std::string wish = arguments.words.empty() ? "" : arguments.words.front();
-  std::vector<std::string> names;
-  for (const auto& [name, text] : groups) names.push_back(name);
-  if (!wish.empty() && std::ranges::find(names, wish) == names.end())
-    throw InputError("nothing to list is called '" + wish + "'" + did_you_mean(wish, names) +
-                     "; known: schemes, materials, searches, averagers, plugins");
-  for (const auto& [name, text] : groups)
-    if (wish.empty() || wish == name) std::cout << (name == groups.front().first || !wish.empty() ? "" : "\n") << text;
+  const Inventory all = inventory(arguments.list("plugin", {}));
+  const std::vector<Group> groups = groups_of(all);
+  std::string text;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "\n") + more; };
+  for (const std::string& wish : arguments.words) add(text_of(wish, groups, all.catalogue));
+  if (arguments.words.empty())
+    for (const Group& group : groups) add(text_of(group));
+  std::cout << text;
   return 0;
 }
 

@@ -1,7 +1,9 @@
 /// riedel: the program. Finds the sub-command, runs it and turns what went wrong into an exit code.
+#include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/messages.hpp"
 #include "core/base/error.hpp"
+#include "core/io/suggestion.hpp"
 
 #include <iostream>
 
@@ -9,21 +11,38 @@ namespace {
 
 using namespace riedel;
 
-int run(const std::vector<std::string>& words) {
+int print(const std::string& text) {
+  std::cout << text;
+  return 0;
+}
+
+/// What stands before any command: a question to the program itself.
+int answer(const std::vector<std::string>& words) {
+  const std::string& first = words.front();
+  const std::vector<std::string> known{"--help", "--version"};
+  for (const Command& command : commands())
+    for (const Option& option : command.options)
+      if (first == "--" + option.name)
+        throw InputError(first + ": a command comes before its options, such as 'riedel " + command.name +
+                         "'; see 'riedel --help'");
+  throw InputError("unknown option " + first + did_you_mean(first, known) + "; see 'riedel --help'");
+}
+
+int run(std::vector<std::string> words) {
   if (words.empty()) throw InputError("no command given; see 'riedel --help'");
   if (words.front() == "--help" || words.front() == "-h" || words.front() == "help") {
-    std::cout << (words.size() > 1 ? help(find_command(commands(), words[1])) : help(commands()));
-    return 0;
+    words.erase(words.begin());
+    if (words.empty() || words.front() == "help") return print(help(commands()));
+    words.emplace_back("--help");
   }
-  if (words.front() == "--version" || words.front() == "version") {
-    std::cout << version() << '\n';
-    return 0;
-  }
+  if (words.front() == "--version" || words.front() == "-v" || words.front() == "version")
+    return print(version() + "\n");
+  if (words.front().starts_with('-')) return answer(words);
   const Command& command = find_command(commands(), words.front());
   const Arguments arguments = parse(command, {words.begin() + 1, words.end()});
-  if (!arguments.has("help")) return command.run(arguments);
-  std::cout << help(command);
-  return 0;
+  if (arguments.has("help")) return print(help(command, arguments));
+  if (arguments.has("version")) return print(version() + "\n");
+  return command.run(arguments);
 }
 
 int failed(std::string_view text, int code) {

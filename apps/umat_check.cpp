@@ -1,6 +1,6 @@
 /// riedel umat-check: what a UMAT does, before it is trusted in a run.
 #include "apps/bench_table.hpp"
-#include "apps/checked_case.hpp"
+#include "apps/case_kind.hpp"
 #include "apps/commands.hpp"
 #include "apps/material_keys.hpp"
 #include "apps/umat_probe.hpp"
@@ -12,7 +12,7 @@
 namespace riedel {
 
 Keys umat_check_keys() {
-  Keys keys;
+  Keys keys{{"material.model", "umat", "", {}, "law of the material", {"umat"}}};
   for (Key key : Umat::parameters()) {
     key.name = "material." + key.name;
     keys.push_back(std::move(key));
@@ -63,7 +63,10 @@ int umat_check(const Arguments& arguments) {
   if (arguments.words.empty()) throw InputError("riedel umat-check needs a library");
   CaseFile given = arguments.case_file(1);
   given.override_with("material.library=\"" + arguments.words.front() + "\"", "riedel umat-check:");
-  const Values values = given.validate(umat_check_keys());
+  const Values values = checked_case(
+                            given, umat_check_keys(), [](const Values&) { return Findings{}; },
+                            [](std::vector<Finding>& errors) { tell_where_keys_are_listed(errors, "umat-check"); })
+                            .values;
   const UmatProbe probe(values.section("material"), values.numbers("check.stress"), values.numbers("check.strain"));
   bool good = true;
   std::vector<Line> lines{{"wave speed from DDSDDE [m/s]", text_of(probe.wave_speed()), ""}};

@@ -41,10 +41,7 @@ Texts schemes_of(const Arguments& arguments, const CaseFile& file) {
   const Texts wished = arguments.list("schemes", listed);
   if (arguments.has("schemes") && wished.empty()) throw InputError("--schemes: the list is empty");
   if (wished == Texts{"all"}) return known;
-  for (const std::string& name : wished)
-    if (std::ranges::find(known, name) == known.end())
-      throw InputError((arguments.has("schemes") ? "--schemes" : file.place("compare.schemes")) + ": " + name +
-                       " is unknown" + did_you_mean(name, known) + "; 'riedel list schemes' names the known ones");
+  refuse_unknown_names(arguments.has("schemes") ? "--schemes" : file.place("compare.schemes") + ":", wished, known);
   return wished;
 }
 

@@ -92,7 +92,7 @@ std::string unknown_key_text(const std::string& name, const Keys& keys) {
   }
   const std::string hint = did_you_mean(name, names);
   if (!hint.empty()) return "unknown key" + hint;
-  if (section.empty() || beside.empty()) return "unknown key; 'riedel check --help' lists the known ones";
+  if (section.empty() || beside.empty()) return "unknown key";
   return "unknown key; [" + section.substr(0, section.size() - 1) + "] takes " + beside;
 }
 

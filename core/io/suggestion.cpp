@@ -45,7 +45,8 @@ std::string nearest(std::string_view word, std::span<const std::string> known) {
   int best = most + 1;
   std::string answer;
   for (const std::string& candidate : known) {
-    if (const int distance = distance_meant(word, candidate); distance < best) {
+    const int distance = distance_meant(word, candidate);
+    if (distance < best && distance < static_cast<int>(word.size())) { // else not one letter is kept
       best = distance;
       answer = candidate;
     }

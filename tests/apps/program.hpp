@@ -3,6 +3,7 @@
 
 #include "temporary_folder.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -72,7 +73,8 @@ inline Outcome run(const TemporaryFolder& folder, const Words& words, rlim_t lar
 
 /// `riedel biaxial` on few cells, fast and short, with results in `out`; `more` goes last and so has the last word.
 inline Words coarse_case(const std::filesystem::path& out, const Words& more = {}) {
-  Words words{"biaxial", "--out", out.string(), "--threads", "1"};
+  Words words{"biaxial", "--out", out.string()};
+  if (std::ranges::find(more, "--threads") == more.end()) words.insert(words.end(), {"--threads", "1"});
   for (const char* setting :
        {"grid.cells=[8,28]", "nonlocal.length=5e-3", "loading.speed=0.4", "loading.ramp_time=1e-3",
         "loading.final_strain=0.004", "output.frames_every_strain=0.001"})

@@ -1,4 +1,4 @@
-#include "apps/command_line.hpp"
+#include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "core/base/error.hpp"
 
@@ -46,11 +46,44 @@ TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
       },
       ThrowsMessage<InputError>(AllOf(HasSubstr("--ste (did you mean '--set'?)"), HasSubstr("riedel biaxial --help"))));
   EXPECT_THAT([] { (void)parsed({"--forc"}); }, error_with("unknown option --forc")); // no abbreviations
-  EXPECT_THAT([] { (void)parsed({"-v"}); }, error_with("unknown option -v;"));
+  EXPECT_THAT([] { (void)parsed({"-x"}); }, error_with("unknown option -x;"));
+  EXPECT_THAT([] { (void)parsed({"-out", "there"}); }, error_with("unknown option -out (did you mean '--out'?)"));
   EXPECT_THAT([] { (void)parsed({"a.toml", "b.toml"}); }, error_with("'b.toml' is one word too many"));
   EXPECT_THAT([] { (void)parsed({"--out"}); }, error_with("--out needs a value: --out DIR; see"));
   EXPECT_THAT([] { (void)parsed({"--out="}); }, error_with("--out needs a value"));
   EXPECT_THAT([] { (void)parsed({"--force=1"}); }, error_with("--force takes no value; see 'riedel biaxial --help'"));
+}
+
+TEST(CommandLine, RefusesAnOptionThatIsGivenTwice) {
+  EXPECT_THAT(
+      [] {
+        (void)parsed({"--out", "a", "-o", "b"});
+      },
+      error_with("--out is given twice: a and b; give it once"));
+  EXPECT_EQ(parsed({"--force", "--force"}).words.size(), 0U); // says the same
+  const Command lists{"bench", "", "A test.", 0, {{"schemes", "A,B", "a list"}}, nullptr};
+  EXPECT_THAT(parse(lists, {"--schemes", "a", "--schemes", "b,c"}).list("schemes", {}), ElementsAre("a", "b", "c"));
+}
+
+TEST(CommandLine, TakesLettersForSomeOptionsAndHelpAsAWord) {
+  EXPECT_EQ(parsed({"-o", "there"}).out("here"), "there");
+  EXPECT_TRUE(parsed({"case.toml", "-h"}).has("help"));
+  EXPECT_TRUE(parsed({"-v"}).has("version"));
+  EXPECT_TRUE(parsed({"case.toml", "help"}).has("help"));
+  EXPECT_THAT(parsed({"case.toml", "help"}).words, ElementsAre("case.toml"));
+  EXPECT_FALSE(parsed({"--out", "help"}).has("help"));
+}
+
+TEST(CommandLine, TellsWhichNameOfAListIsUnknown) {
+  const std::vector<std::string> known{"gimp", "cpdi"};
+  EXPECT_THAT(
+      [&] {
+        refuse_unknown_names("--schemes", {"gimp", "cpid"}, known);
+      },
+      error_with("--schemes gimp,cpid: number 2 of the list, cpid, is unknown (did you mean 'cpdi'?); known: gimp"));
+  EXPECT_THAT([&] { refuse_unknown_names("--schemes", {"foo"}, known); },
+              error_with("--schemes foo: unknown; known: "));
+  EXPECT_NO_THROW(refuse_unknown_names("--schemes", {"cpdi", "gimp"}, known));
 }
 
 TEST(CommandLine, TakesAPositiveNumberOfThreads) {
@@ -81,6 +114,7 @@ TEST(CommandLine, TakesAPositiveNumberOfThreads) {
 TEST(CommandLine, FindsCommandsAndSuggestsTheOneThatWasMeant) {
   EXPECT_EQ(find_command(commands(), "check").name, "check");
   EXPECT_THAT([] { (void)find_command(commands(), "biaxal"); }, error_with("did you mean 'biaxial'?"));
+  EXPECT_THAT([] { (void)find_command(commands(), "shear"); }, error_with("did you mean 'riedel element shear'?"));
   EXPECT_THAT([] { (void)find_command(commands(), "dance"); },
               error_with("known: biaxial, element, compare, collect, reproduce, check, list"));
 }

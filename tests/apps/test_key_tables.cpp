@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 TEST(KeyTables, TheHelpMentionsEveryKeyWithDefaultUnitAndRange) {
   const Keys keys = biaxial_keys(fake_catalogue(), paper_model);
-  const std::string text = keys_help(keys), words = std::regex_replace(text, std::regex(R"(\s+)"), " ");
+  const std::string text = keys_help(keys, ""), words = std::regex_replace(text, std::regex(R"(\s+)"), " ");
   for (const Key& key : keys) {
     EXPECT_THAT(text, HasSubstr("  " + key.name + " "));
     EXPECT_THAT(words, HasSubstr(key.doc));
@@ -24,7 +24,7 @@ TEST(KeyTables, TheHelpMentionsEveryKeyWithDefaultUnitAndRange) {
 }
 
 TEST(KeyTables, TheHelpStaysWithin120Letters) {
-  std::istringstream text(keys_help(biaxial_keys(fake_catalogue(), paper_model)));
+  std::istringstream text(keys_help(biaxial_keys(fake_catalogue(), paper_model), "of a test"));
   for (std::string line; std::getline(text, line);)
     EXPECT_LE(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }), 120) << line;
 }

@@ -1,3 +1,4 @@
+#include "apps/commands.hpp"
 #include "temporary_folder.hpp"
 
 #include <cstdlib>
@@ -8,6 +9,7 @@ using namespace riedel;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 namespace {
@@ -33,19 +35,43 @@ TEST_F(Program, TellsItsVersionAndItsCommands) {
   EXPECT_THAT(run("--help").out, AllOf(HasSubstr("biaxial"), HasSubstr("check"), HasSubstr("list")));
   EXPECT_EQ(run("--help").code, 0);
   EXPECT_EQ(run("help").out, run("--help").out);
+  for (const char* version : {"-v", "version", "biaxial --version", "list -v"})
+    EXPECT_EQ(run(version).out, run("--version").out) << version;
 }
 
 TEST_F(Program, HelpsWithEveryCommand) {
-  for (const char* command : {"biaxial", "check", "list"}) {
+  for (const char* command :
+       {"biaxial", "element", "compare", "collect", "reproduce", "check", "list", "bench", "verify", "umat-check"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_THAT(help.out, HasSubstr(std::string("riedel ") + command));
+    for (const char* way : {" -h", " help"}) EXPECT_EQ(run(command + std::string(way)).out, help.out) << command << way;
+    EXPECT_EQ(run(std::string("help ") + command).out, help.out);
   }
   EXPECT_THAT(run("biaxial --help").out, AllOf(HasSubstr("nonlocal.length"), HasSubstr("material.phi_c")));
 }
 
+TEST_F(Program, HelpsWithTheTestTheLawAndTheSchemeThatAreNamed) {
+  const std::string triaxial = run("element triaxial --help").out;
+  EXPECT_THAT(triaxial, AllOf(HasSubstr("\"triaxial\""), HasSubstr("loading.confining_pressure")));
+  EXPECT_THAT(triaxial, AllOf(Not(HasSubstr("loading.normal_stress")), Not(HasSubstr("loading.initial_pressure"))));
+  EXPECT_EQ(run("help element triaxial").out, triaxial);
+  EXPECT_THAT(run("element path --help").out, AllOf(HasSubstr("initial.sigma"), HasSubstr("Of each [[stage]]")));
+  EXPECT_THAT(run("check --set test=shear --help").out, HasSubstr("loading.normal_stress"));
+  for (const char* command : {"biaxial", "element shear", "check"}) {
+    const std::string help = run(command + std::string(" --set material.model=drucker_prager --help")).out;
+    EXPECT_THAT(help, AllOf(HasSubstr("material.cohesion "), Not(HasSubstr("material.phi_c")))) << command;
+  }
+  EXPECT_THAT(run("biaxial --set scheme=lme --help").out,
+              AllOf(HasSubstr("interpolation.gamma"), Not(HasSubstr("interpolation.domain_limit"))));
+  const Outcome wrong = run("biaxial --set material.model=drucker_pragr --help");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean 'drucker_prager'?"));
+}
+
 TEST_F(Program, EndsWithTwoWhenTheCommandIsWrong) {
-  for (const char* wrong : {"", "biaxal", "check --unknown", "list everything", "check a b"}) {
+  for (const char* wrong : {"", "biaxal", "check --unknown", "list everything", "check a b", "-x", "--set scheme=cpdi",
+                            "biaxial -out there", "check --schema --set", "element triaxal"}) {
     const Outcome outcome = run(wrong);
     EXPECT_EQ(outcome.code, 2) << wrong;
     EXPECT_THAT(outcome.err, StartsWith("riedel: error: ")) << wrong;
@@ -82,6 +108,26 @@ TEST_F(Program, ListsWhatACaseCanName) {
               AllOf(HasSubstr("gimp"), HasSubstr("gudehus_bauer"), HasSubstr("cell_list"), HasSubstr("gauss")));
   EXPECT_THAT(run("list materials").out, AllOf(StartsWith("materials\n"), HasSubstr("phi_c"), HasSubstr("deg")));
   EXPECT_THAT(run("list lists").err, HasSubstr("known: schemes, materials, searches, averagers, plugins"));
+}
+
+TEST_F(Program, ListsAnEntryWhole) {
+  const std::string law = run("list mohr_coulomb").out;
+  EXPECT_THAT(law, AllOf(StartsWith("mohr_coulomb, law: "), HasSubstr("source: Clausen"), HasSubstr("cohesion "),
+                         HasSubstr("    plastic_strain: "), HasSubstr("(nonlocal.variable): plastic_strain")));
+  EXPECT_THAT(law, Not(HasSubstr("phi_c")));
+  EXPECT_THAT(run("list cpdi gauss").out, AllOf(StartsWith("cpdi, interpolation scheme: "), HasSubstr("domain_limit"),
+                                                HasSubstr("gauss, averager")));
+  EXPECT_THAT(run("list nonlocal.length").out, AllOf(HasSubstr("0.0015 m"), Not(HasSubstr("nonlocal.search"))));
+  EXPECT_THAT(run("list apic").out, HasSubstr("time.transfer"));
+  EXPECT_THAT(run("list mohr_columb").err, HasSubstr("did you mean 'mohr_coulomb'?"));
+}
+
+TEST_F(Program, ListsEveryNameThatItLists) {
+  for (const std::string& word : list_words()) {
+    const Outcome outcome = run("list " + word);
+    EXPECT_EQ(outcome.code, 0) << word << outcome.err;
+    EXPECT_THAT(outcome.out, StartsWith(word));
+  }
 }
 
 TEST_F(Program, PrintsTheSchemaAndTheReference) {

@@ -20,4 +20,5 @@ TEST(Suggestion, FindsTheNearestWordAndIsSilentWhenNoneIsNear) {
   EXPECT_EQ(nearest("loading.width", known), "specimen.width");
   EXPECT_EQ(did_you_mean("spectral", known), "");
   EXPECT_EQ(nearest("gimp", {}), "");
+  EXPECT_EQ(nearest("6", std::vector<std::string>{"2", "10"}), "") << "nothing of the word is left";
 }

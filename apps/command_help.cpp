@@ -1,0 +1,107 @@
+#include "apps/command_help.hpp"
+
+#include "apps/element_keys.hpp"
+#include "core/base/error.hpp"
+#include "core/io/suggestion.hpp"
+
+#include <algorithm>
+
+namespace riedel {
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 2, width), ' ');
+  return text;
+}
+
+std::string line(const Option& option) {
+  const char letter = letter_of(option.name);
+  const std::string names = (letter == 0 ? "" : std::string{'-', letter, ',', ' '}) + "--" + option.name;
+  return "  " + padded(names + (option.value.empty() ? "" : " " + option.value), 22) + option.doc + "\n";
+}
+
+/// The command that a case is for, when one stands where a command should.
+std::string taker_of(const std::string& path) {
+  const auto test = test_of(CaseFile::read(path));
+  return "'" + path + "' is a file, not a command; 'riedel " + (test ? "element " + *test : "biaxial") + " " + path +
+         "' runs a case";
+}
+
+} // namespace
+
+const Command& find_command(std::span<const Command> commands, std::string_view name) {
+  std::vector<std::string> names;
+  for (const Command& command : commands) {
+    if (command.name == name) return command;
+    names.push_back(command.name);
+  }
+  const std::string given(name);
+  if (given.ends_with(".toml") && std::filesystem::is_regular_file(given)) throw InputError(taker_of(given));
+  std::string hint = did_you_mean(name, names);
+  if (const auto& tests = element_tests(); std::ranges::find(tests, given) != tests.end())
+    hint = " (did you mean 'riedel element " + given + "'?)";
+  std::string known;
+  for (const std::string& each : names) known += (known.empty() ? "" : ", ") + each;
+  throw InputError("unknown command '" + given + "'" + hint + "; known: " + known);
+}
+
+std::string help(const Command& command, const Arguments& arguments) {
+  std::string text = "riedel " + command.name + " " + command.usage + "\n\n" + command.summary + "\n\nOptions\n";
+  for (const Option& option : command.options) text += line(option);
+  text += line({"help", "", "print this"}) + line({"version", "", "print the version"});
+  return command.more_help == nullptr ? text : text + "\n" + command.more_help(arguments);
+}
+
+std::string help(std::span<const Command> commands) {
+  std::string text = "riedel: the material point method for shear localisation in sand\n\nCommands\n";
+  for (const Command& command : commands) text += "  " + padded(command.name, 12) + command.summary + "\n";
+  text += "\nExamples\n";
+  for (const Meaning& example : example_lines()) text += "  " + padded(example.name, 58) + example.text + "\n";
+  text += R"(
+'riedel COMMAND --help' tells more of each command, 'riedel list NAME' of a scheme, a law or a key; 'riedel --version'
+prints the version. The paper is Krzyżanowski, Wójcik and Tejchman (2020).
+
+Exit codes
+)";
+  for (const Meaning& code : exit_codes()) text += "  " + padded(code.name, 10) + code.text + "\n";
+  text += "\nEnvironment\n";
+  for (const Meaning& variable : environment_variables())
+    text += "  " + padded(variable.name, 21) + variable.text + "\n";
+  return text;
+}
+
+const std::vector<Meaning>& exit_codes() {
+  static const std::vector<Meaning> all{
+      {"0", "done"},
+      {"1", "an internal error: a bug"},
+      {"2", "the input is wrong: a case, a key, an option or a file"},
+      {"3", "the run failed: unstable, points lost, or results that cannot be written"},
+      {"4", "a plug-in is missing, or cannot be used"},
+      {"130, 143", "interrupted by Ctrl-C or by a request to end (SIGTERM); what was written so far can be read"}};
+  return all;
+}
+
+const std::vector<Meaning>& environment_variables() {
+  static const std::vector<Meaning> all{
+      {"OMP_NUM_THREADS", "threads where a command has no --threads"},
+      {"RIEDEL_PLUGIN_PATH", "folders, separated by colons, from which all plug-ins (*.so) are loaded"},
+      {"NO_COLOR", "messages without colour, whatever its value"},
+      {"TMPDIR", "folder for the copies of a UMAT that threads work with; /tmp when it is not set"}};
+  return all;
+}
+
+const std::vector<Meaning>& example_lines() {
+  static const std::vector<Meaning> all{
+      {"riedel biaxial", "the paper's case; leaves its results in results/biaxial"},
+      {"riedel biaxial --set scheme=cpdi --out results/cpdi", "one key changed"},
+      {"riedel biaxial --set material.model=mohr_coulomb --help", "the keys, with those of that law"},
+      {"riedel list mohr_coulomb", "one law, scheme, search or averager, or one key"},
+      {"riedel check > case.toml", "a case file with every key, to edit"},
+      {"riedel biaxial case.toml --out results/mine", "and to run"},
+      {"riedel element triaxial --set specimen.void_ratio=0.7", "an element test at one point"},
+      {"riedel compare --schemes gimp,cpdi", "the same case under two schemes, with a report"}};
+  return all;
+}
+
+} // namespace riedel

@@ -1,0 +1,24 @@
+/// What the program says of its commands: `--help`, and the tables that the manual is made of, too.
+#pragma once
+
+#include "apps/command_line.hpp"
+
+namespace riedel {
+
+/// @throws InputError that names the nearest command, or the one that takes a case which stands in its place
+const Command& find_command(std::span<const Command> commands, std::string_view name);
+
+/// @param arguments the words and settings beside `--help`, for which keys are shown. @throws InputError
+std::string help(const Command& command, const Arguments& arguments = {});
+std::string help(std::span<const Command> commands);
+
+/// A word or number, and what it means.
+struct Meaning {
+  std::string name, text;
+};
+const std::vector<Meaning>& exit_codes();
+const std::vector<Meaning>& environment_variables();
+/// Command lines with what they do.
+const std::vector<Meaning>& example_lines();
+
+} // namespace riedel

@@ -1,0 +1,21 @@
+/// Schemes, laws, searches and averagers in words, for `riedel list`.
+#pragma once
+
+#include "core/interface/catalogue.hpp"
+
+namespace riedel {
+
+/// An entry in a list: name, summary, source, parameters.
+std::string brief_text(const Description& description);
+
+/// An entry that stands alone.
+/// @param kind what it is, such as "averager"   @param key the key of a case that names it
+std::string entry_text(const Description& description, const std::string& kind, const std::string& key);
+
+/// The same, and in how many dimensions it is there.
+std::string scheme_text(const Description& description, const Catalogue& catalogue);
+
+/// The same, and the state variables, what can be averaged and what the law asks for.
+std::string law_text(const Materials::Entry& law);
+
+} // namespace riedel
