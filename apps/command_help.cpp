@@ -60,7 +60,7 @@ std::string help(std::span<const Command> commands) {
   for (const Meaning& example : example_lines()) text += "  " + padded(example.name, 58) + example.text + "\n";
   text += R"(
 'riedel COMMAND --help' tells more of each command, 'riedel list NAME' of a scheme, a law or a key; 'riedel --version'
-prints the version. The paper is Krzyżanowski, Wójcik and Tejchman (2020).
+prints the version, 'riedel --man' the manual page. The paper is Krzyżanowski, Wójcik and Tejchman (2020).
 
 Exit codes
 )";
@@ -84,10 +84,24 @@ const std::vector<Meaning>& exit_codes() {
 
 const std::vector<Meaning>& environment_variables() {
   static const std::vector<Meaning> all{
-      {"OMP_NUM_THREADS", "threads where a command has no --threads"},
+      {"OMP_NUM_THREADS", "threads where --threads is not given"},
       {"RIEDEL_PLUGIN_PATH", "folders, separated by colons, from which all plug-ins (*.so) are loaded"},
       {"NO_COLOR", "messages without colour, whatever its value"},
       {"TMPDIR", "folder for the copies of a UMAT that threads work with; /tmp when it is not set"}};
+  return all;
+}
+
+const std::vector<Meaning>& result_files() {
+  static const std::vector<Meaning> all{
+      {"case.toml", "every key in force: running it again gives the same bits"},
+      {"history.csv", "of riedel biaxial: a row per output, with angle, force and energies against u/h0"},
+      {"element.csv", "of riedel element: a row per output, with strains, stresses, void ratio and angle"},
+      {"summary.json", "figures of the whole run; docs/howto/read_results.md explains every one"},
+      {"points.pvd, domains.pvd",
+       "all fields in time, for ParaView; the files of the frames are in points and domains"},
+      {"*.png", "history, void ratio and shear strain; the curves of an element test"},
+      {"results.csv, report.html",
+       "of riedel compare and riedel reproduce: a row for each run, and all of it on one page"}};
   return all;
 }
 

@@ -18,6 +18,8 @@ struct Meaning {
 };
 const std::vector<Meaning>& exit_codes();
 const std::vector<Meaning>& environment_variables();
+/// What a run leaves in its folder.
+const std::vector<Meaning>& result_files();
 /// Command lines with what they do.
 const std::vector<Meaning>& example_lines();
 

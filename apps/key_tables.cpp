@@ -17,14 +17,6 @@ std::string section_of(const Key& key) { return key.name.substr(0, key.name.rfin
 
 std::string unit_of(const Key& key) { return key.unit == "-" ? "" : key.unit; }
 
-/// What is allowed: "gimp | cpdi", "> 0", "(0, 1)", "auto | > 0", or nothing.
-std::string allowed(const Key& key) {
-  std::string text;
-  for (const std::string& choice : key.choices) text += (text.empty() ? "" : " | ") + choice;
-  if (!std::isfinite(key.bounds.lower) && !std::isfinite(key.bounds.upper)) return text;
-  return text + (text.empty() ? "" : " | ") + key.bounds.text();
-}
-
 /// Length as seen: bytes that continue a letter do not count.
 std::size_t letters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
@@ -111,6 +103,13 @@ std::string element_reference(const Catalogue& catalogue) {
 } // namespace
 
 bool has_source(const Description& description) { return !description.source.empty() && description.source != "-"; }
+
+std::string allowed(const Key& key) {
+  std::string text;
+  for (const std::string& choice : key.choices) text += (text.empty() ? "" : " | ") + choice;
+  if (!std::isfinite(key.bounds.lower) && !std::isfinite(key.bounds.upper)) return text;
+  return text + (text.empty() ? "" : " | ") + key.bounds.text();
+}
 
 std::string keys_help(const Keys& keys, const std::string& whose) {
   std::string text = "Keys of the case " + whose +

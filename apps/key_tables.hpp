@@ -8,6 +8,9 @@ namespace riedel {
 /// Whether a scheme or law comes from a paper; "-" stands for none.
 bool has_source(const Description& description);
 
+/// What is allowed: "gimp | cpdi", "> 0", "(0, 1)", "auto | > 0", or nothing.
+std::string allowed(const Key& key);
+
 /// A table for a terminal: name, default with unit, range or choices, and what each key is.
 /// @param whose keys they are, such as "with the law umat"
 std::string keys_help(const Keys& keys, const std::string& whose);

@@ -1,6 +1,8 @@
 /// riedel: the program. Finds the sub-command, runs it and turns what went wrong into an exit code.
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
+#include "apps/completion.hpp"
+#include "apps/manual.hpp"
 #include "apps/messages.hpp"
 #include "core/base/error.hpp"
 #include "core/io/suggestion.hpp"
@@ -19,7 +21,12 @@ int print(const std::string& text) {
 /// What stands before any command: a question to the program itself.
 int answer(const std::vector<std::string>& words) {
   const std::string& first = words.front();
-  const std::vector<std::string> known{"--help", "--version"};
+  if (first == "--man") return print(manual_page(commands(), day_of_build()));
+  if (first == "--completion") {
+    if (words.size() != 2) throw InputError("--completion needs the name of a shell: bash or zsh");
+    return print(completion(words[1], commands()));
+  }
+  const std::vector<std::string> known{"--help", "--version", "--man", "--completion"};
   for (const Command& command : commands())
     for (const Option& option : command.options)
       if (first == "--" + option.name)
