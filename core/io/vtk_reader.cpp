@@ -1,6 +1,7 @@
 #include "core/io/vtk_reader.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/input_file.hpp"
 
 #include <vtkCellData.h>
 #include <vtkCommand.h>
@@ -12,8 +13,9 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
 #include <charconv>
-#include <fstream>
+#include <cmath>
 #include <sstream>
 
 namespace riedel {
@@ -51,13 +53,21 @@ std::string attribute(const std::string& line, const std::string& name) {
   return line.substr(from, line.find('"', from) - from);
 }
 
+/// Below the folder that it is told in, as frames are: "../" leads elsewhere.
+bool stays_inside(const std::filesystem::path& path) {
+  return path.is_relative() && std::ranges::find(path, std::filesystem::path("..")) == path.end();
+}
+
 double number_in(vtkFieldData* data, const char* name) {
   vtkDataArray* array = data->GetArray(name);
   return array != nullptr && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0.0;
 }
 
 Field field_of(vtkDataArray& array) {
-  Field field{.name = array.GetName(), .components = array.GetNumberOfComponents(), .unit = "", .values = {}};
+  Field field{.name = array.GetName() == nullptr ? "" : array.GetName(),
+              .components = array.GetNumberOfComponents(),
+              .unit = "",
+              .values = {}};
   if (vtkInformation* information = array.GetInformation(); information->Has(vtkDataArray::UNITS_LABEL()) != 0)
     field.unit = information->Get(vtkDataArray::UNITS_LABEL());
   field.values.reserve(static_cast<std::size_t>(array.GetNumberOfValues()));
@@ -94,13 +104,15 @@ Frame frame_of(vtkPolyData& data) {
 std::vector<FrameFile> frame_files(const std::filesystem::path& folder) {
   const std::filesystem::path index = folder / "domains.pvd";
   std::vector<FrameFile> files;
-  std::ifstream file(index);
-  for (std::string line; std::getline(file, line);) {
+  if (!std::filesystem::exists(index)) return files;
+  std::istringstream text(read_input_file(index));
+  for (std::string line; std::getline(text, line);) {
     if (line.find("<DataSet") == std::string::npos) continue;
     const std::string time = attribute(line, "timestep"), name = attribute(line, "file");
     FrameFile entry{.path = folder / name};
     const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
-    if (name.empty() || error != std::errc{} || end != time.data() + time.size())
+    if (name.empty() || !stays_inside(name) || error != std::errc{} || end != time.data() + time.size() ||
+        !std::isfinite(entry.time))
       throw InputError(index.string() + ": cannot be understood: " + line);
     files.push_back(std::move(entry));
   }
@@ -109,7 +121,7 @@ std::vector<FrameFile> frame_files(const std::filesystem::path& folder) {
 
 Frame read_frame(const std::filesystem::path& path) {
   if (path.extension() != ".vtp") throw InputError(path.string() + ": is no frame in two dimensions");
-  if (!std::filesystem::exists(path)) throw InputError(path.string() + ": is missing");
+  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is missing, or no file");
   const Silence silence;
   vtkNew<vtkXMLPolyDataReader> reader;
   vtkNew<Listener> listener;
@@ -117,7 +129,8 @@ Frame read_frame(const std::filesystem::path& path) {
   reader->SetFileName(path.c_str());
   reader->Update();
   Frame frame = frame_of(*reader->GetOutput());
-  if (listener->heard_error || frame.points() == 0 || frame.corners.size() % (3 * corners_of_quad) != 0)
+  if (listener->heard_error || frame.points() == 0 || frame.corners.size() % (3 * corners_of_quad) != 0 ||
+      !std::ranges::all_of(frame.corners, [](double x) { return std::isfinite(x); }))
     throw InputError(path.string() + ": is damaged, or no file of domains");
   try {
     frame.check();

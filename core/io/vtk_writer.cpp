@@ -119,6 +119,8 @@ std::string digits_of(double value) {
 
 void make_directory(const std::filesystem::path& path) {
   std::error_code error;
+  if (std::filesystem::is_symlink(path, error)) // the frames would go, and old ones be left, elsewhere
+    throw InputError("cannot create the folder " + path.string() + ": is a symbolic link");
   std::filesystem::create_directories(path, error);
   if (error) throw InputError("cannot create the folder " + path.string() + ": " + error.message());
 }
