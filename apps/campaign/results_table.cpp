@@ -1,5 +1,7 @@
 #include "apps/campaign/results_table.hpp"
 
+#include "apps/csv_cell.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -29,13 +31,6 @@ Row row_of(const RunResult& result) {
   for (Setting& figure : figures) // a scheme that is varied stands in its column already
     if (std::ranges::find(row, figure.first, &Setting::first) == row.end()) row.push_back(std::move(figure));
   return row;
-}
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string figure(const ordered_json& json, double unit, int digits) {
@@ -68,13 +63,13 @@ std::string results_csv(const std::vector<RunResult>& results) {
       if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
   }
   std::string text;
-  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + cell(column);
+  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + csv_cell(column);
   text += "\n";
   for (const Row& row : rows) {
     std::string line;
     for (const std::string& column : columns) {
       const auto found = std::ranges::find(row, column, &Setting::first);
-      line += (&column == &columns.front() ? "" : ",") + (found == row.end() ? std::string() : cell(found->second));
+      line += (&column == &columns.front() ? "" : ",") + (found == row.end() ? std::string() : csv_cell(found->second));
     }
     text += line + "\n";
   }

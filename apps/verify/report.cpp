@@ -1,6 +1,7 @@
 #include "apps/verify/report.hpp"
 
 #include "apps/bench_table.hpp"
+#include "apps/csv_cell.hpp"
 #include "core/io/plot.hpp"
 
 namespace riedel {
@@ -43,13 +44,6 @@ std::string figures_text(const VerifyProblem& problem, const VerifyRun& run) {
   return text;
 }
 
-/// Commas and quotes as comma-separated files have them.
-std::string quoted(const std::string& text) {
-  std::string answer = "\"";
-  for (const char c : text) answer += c == '"' ? "\"\"" : std::string(1, c);
-  return answer + "\"";
-}
-
 } // namespace
 
 std::string verify_tables(const std::vector<VerifyStudy>& studies) {
@@ -75,13 +69,13 @@ std::string verify_csv(const std::vector<VerifyStudy>& studies) {
   std::string text = "problem,scheme,cells,error,order,expected_order,ns_per_point_step,failure,figures\n";
   for (const VerifyStudy& study : studies) {
     const auto line = [&](std::size_t i, const std::string& numbers, const std::string& ns, const std::string& end) {
-      text += study.problem->name + "," + study.scheme + "," + std::to_string(study.problem->cells[i]) + "," + numbers +
-              "," + study.expected().text + "," + ns + "," + end + "\n";
+      text += study.problem->name + "," + csv_cell(study.scheme) + "," + std::to_string(study.problem->cells[i]) + "," +
+              numbers + "," + study.expected().text + "," + ns + "," + end + "\n";
     };
     for (std::size_t i = 0; i < study.runs.size(); ++i)
       line(i, exact_text(study.runs[i].error) + "," + text_of("%.4f", study.order()), text_of("%.4g", study.runs[i].ns),
            "," + figures_text(*study.problem, study.runs[i]));
-    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", quoted(study.failure) + ",");
+    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", csv_cell(study.failure) + ",");
   }
   return text;
 }
