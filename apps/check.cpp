@@ -3,12 +3,28 @@
 #include "apps/commands.hpp"
 #include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
+#include "apps/memory_needed.hpp"
+#include "apps/memory_there.hpp"
 #include "apps/messages.hpp"
 #include "core/io/case_text.hpp"
 
 #include <iostream>
 
 namespace riedel {
+
+namespace {
+
+/// A comment in the case; a warning where a run would be refused.
+void tell_memory(const Values& values, const Catalogue& catalogue) {
+  const MemoryNeeded need = memory_needed(values, catalogue);
+  std::cout << "# memory: about " << bytes_text(need.all()) << "\n";
+  const MemoryThere there = memory_there();
+  if (need.of_case() > there.bytes)
+    print_warning("a run needs about " + bytes_text(need.of_case()) + " of memory, and here " + there.by + " " +
+                  bytes_text(there.bytes));
+}
+
+} // namespace
 
 /// `riedel check`: all errors at once, or the case with every key in force. What it prints is a case itself. A case
 /// that names a test is one of `riedel element`.
@@ -26,7 +42,9 @@ int check(const Arguments& arguments) {
   }
   const CheckedCase checked = test ? element_case(given, catalogue) : biaxial_case(given, catalogue);
   for (const std::string& warning : checked.warnings) print_warning(warning);
-  std::cout << "# ok\n" << case_text(checked.keys, checked.values);
+  std::cout << "# ok\n";
+  if (!test) tell_memory(checked.values, catalogue);
+  std::cout << case_text(checked.keys, checked.values);
   return 0;
 }
 
