@@ -4,9 +4,12 @@
 #include "apps/biaxial_pictures.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/failure.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/memory_needed.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/threads.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/case_text.hpp"
 #include "core/io/progress.hpp"
@@ -80,10 +83,9 @@ void print_result(const nlohmann::ordered_json& s, const std::filesystem::path& 
 }
 
 /// A failed run says so in its summary, as far as that can still be written.
-void write_failure(const std::filesystem::path& folder, const RunError& failure) {
+void write_failure(const std::filesystem::path& folder, const std::string& reason) {
   try {
-    write_summary(folder,
-                  {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", failure.what()}});
+    write_summary(folder, {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", reason}});
   } catch (const RunError& another) { print_warning(another.what()); }
 }
 
@@ -116,45 +118,65 @@ void warn_of_doubts(const BiaxialRun<Dim>& run, double step_over_limit) {
                   " of the internal one; use a smaller loading.speed");
 }
 
-/// Runs the case and leaves everything in `folder`. @return the exit code
+/// What a run was asked for.
+struct Order {
+  CheckedCase given;
+  Catalogue catalogue;
+  ThreadRange threads;
+};
+
+/// Runs the case and leaves everything in the folder, once it is known to begin. @return the exit code
 template <int Dim>
-int run_case(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder,
-             ThreadRange allowed) {
+int run_case(const Order& order, OutputFolder& output, bool& begun) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
-  ThreadChoice threads(allowed);
-  BiaxialRun<Dim> run(values, catalogue, folder);
+  const Values& values = order.given.values;
+  require_threads(order.threads.most);
+  ThreadChoice threads(order.threads);
+  BiaxialRun<Dim> run(values, order.catalogue, output.path());
+  output.replace();
+  begun = true;
+  write_atomically(output.path() / "case.toml", case_text(order.given.keys, values));
+  run.begin();
   const double step_over_limit = advance(run, values, interrupt, threads);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
 
   const nlohmann::ordered_json result =
       summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads.most_used(), step_over_limit);
-  write_summary(folder, result);
+  write_summary(output.path(), result);
   std::vector<std::string> pictures;
-  if (values.flag("output.plots")) pictures = draw_biaxial(run.rows(), run.section(), values, folder);
-  print_result(result, folder, pictures);
+  if (values.flag("output.plots"))
+    try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
+  print_result(result, output.path(), pictures);
   warn_of_doubts(run, step_over_limit);
   return interrupt ? interrupt.exit_code() : 0;
+}
+
+/// What ends a run, of whatever kind, is told in the summary, unless that would cover up the results of another run.
+int run_to_some_end(const Order& order, OutputFolder& output) {
+  bool begun = false;
+  try {
+    const bool slab = dimensions_of_biaxial(order.given.values) == 3;
+    return (slab ? run_case<3> : run_case<2>)(order, output, begun);
+  } catch (const std::exception& error) {
+    const bool wrong_input =
+        dynamic_cast<const InputError*>(&error) != nullptr || dynamic_cast<const PluginError*>(&error) != nullptr;
+    if (begun || (output.is_fresh() && !wrong_input)) write_failure(output.path(), reason_of(error));
+    rethrow_as_failure();
+  }
 }
 
 } // namespace
 
 int biaxial(const Arguments& arguments) {
   const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
-  const Catalogue catalogue = inventory(file).catalogue;
-  const CheckedCase given = biaxial_case(file, catalogue);
+  Catalogue catalogue = inventory(file).catalogue;
+  CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& warning : given.warnings) print_warning(warning);
-  const std::filesystem::path folder = arguments.out("results/biaxial");
-  const ThreadRange threads = arguments.threads();
-  prepare_output_folder(folder, arguments.force());
-  try {
-    write_atomically(folder / "case.toml", case_text(given.keys, given.values));
-    return (dimensions_of_biaxial(given.values) == 3 ? run_case<3> : run_case<2>)(given.values, catalogue, folder,
-                                                                                  threads);
-  } catch (const RunError& failure) {
-    write_failure(folder, failure);
-    throw;
-  }
+  require_memory(given.values, catalogue, file);
+  const Order order{std::move(given), std::move(catalogue), arguments.threads()};
+  OutputFolder output(arguments.out("results/biaxial"), arguments.command, arguments.force());
+  return run_to_some_end(order, output);
 }
 
 } // namespace riedel

@@ -17,13 +17,18 @@ constexpr double settled = 0.005; ///< u/h0 before which the internal energy is 
 } // namespace
 
 template <int Dim>
-BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder)
+BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder)
     : values_(values),
       depth_(specimen_depth(values)),
       simulation_(make_biaxial<Dim>(values, catalogue)),
       speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
-      history_(folder / "history.csv", columns) {
-  if (values.flag("output.vtk")) series_.emplace(folder);
+      folder_(std::move(folder)) {
+  if (values.flag("output.vtk")) series_.emplace(folder_);
+}
+
+template <int Dim>
+void BiaxialRun<Dim>::begin() {
+  history_.emplace(folder_ / "history.csv", columns);
   add_row();
   add_frame();
 }
@@ -64,10 +69,10 @@ void BiaxialRun<Dim>::add_row() {
   row.time_step = simulation_.time_step();
   row.report = state.report;
   row.out_of_bounds = simulation_.out_of_bounds();
-  history_.add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
-                          row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
-                          static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
-                          static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds)});
+  history_->add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
+                           row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
+                           static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
+                           static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds)});
   rows_.push_back(row);
   force_sum_ = force_time_ = 0.0;
   next_row_ += values_.number("output.every_strain");

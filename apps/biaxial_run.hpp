@@ -24,9 +24,11 @@ struct BiaxialRow {
 template <int Dim>
 class BiaxialRun {
 public:
-  /// Makes the specimen and writes the first row and frame. Throws InputError or RunError.
-  BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder);
+  /// Makes the specimen; the folder receives nothing but places for frames. Throws InputError or RunError.
+  BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder);
 
+  /// Writes the first row and frame. Throws RunError.
+  void begin();
   /// Goes on until the final strain, or until `stop()` says so between two steps. Throws RunError.
   void advance(ThreadChoice& threads, const std::function<bool()>& stop,
                const std::function<void(const BiaxialRow&)>& at_row);
@@ -51,7 +53,8 @@ private:
   double depth_; ///< 1 in two dimensions [m]
   Simulation<Dim> simulation_;
   std::function<double(double)> speed_;
-  History history_;
+  std::filesystem::path folder_;
+  std::optional<History> history_;
   std::optional<SeriesWriter> series_;
   std::vector<BiaxialRow> rows_;
   double u_ = 0.0;         ///< displacement of the platen [m]

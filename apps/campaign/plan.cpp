@@ -2,6 +2,7 @@
 
 #include "apps/biaxial_keys.hpp"
 #include "apps/catalogue.hpp"
+#include "apps/memory_needed.hpp"
 #include "apps/specimen_geometry.hpp"
 #include "core/base/error.hpp"
 #include "core/io/case_text.hpp"
@@ -68,12 +69,14 @@ PlannedRun planned(const Variant& variant, std::vector<std::string>& warnings) {
   PlannedRun run{
       .name = variant.name, .label = variant.label, .settings = variant.settings, .case_text = "", .refusal = ""};
   try {
-    const CheckedCase checked = biaxial_case(variant.given, inventory(variant.given).catalogue);
+    const Catalogue catalogue = inventory(variant.given).catalogue;
+    const CheckedCase checked = biaxial_case(variant.given, catalogue);
     for (const std::string& warning : checked.warnings)
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     run.case_text = case_text(checked.keys, checked.values);
     run.work = expected_work(checked.values);
     run.final_strain = checked.values.number("loading.final_strain");
+    run.memory = memory_needed(checked.values, catalogue).of_case();
   } catch (const InputError& error) { run.refusal = error.what(); } catch (const PluginError& error) {
     run.refusal = error.what();
   }

@@ -2,7 +2,6 @@
 
 #include "apps/bench_machine.hpp"
 #include "apps/command_line.hpp"
-#include "core/base/error.hpp"
 #include "core/io/picture.hpp"
 
 #include <algorithm>
@@ -52,12 +51,6 @@ std::size_t panels_of_a_picture(Runs runs) {
 Panel panel_of(const Frame& frame, const std::string& label) {
   const std::size_t comma = label.find(", ");
   return {&frame, label.substr(0, comma), comma == std::string::npos ? "" : label.substr(comma + 2)};
-}
-
-std::optional<Frame> readable_frame(const RunResult& run, double u_over_h) {
-  try {
-    return frame_at(run, u_over_h);
-  } catch (const InputError&) { return std::nullopt; } // the report names it
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "apps/report/run_views.hpp"
 
-#include "core/base/error.hpp"
+#include "apps/messages.hpp"
 #include "core/io/field_image.hpp"
 #include "core/io/vtk_reader.hpp"
 
@@ -23,9 +23,18 @@ PageCell figure(const ordered_json& json, const char* name, double unit, int dig
   return {with_digits(json.at(name).get<double>() / unit, digits)};
 }
 
+/// An object; empty where no band was found.
 ordered_json band_of(const RunResult& run) {
-  const bool has_band = run.summary.is_object() && run.summary.contains("band");
-  return has_band && run.summary.at("band").value("found", false) ? run.summary.at("band") : ordered_json::object();
+  if (!run.summary.is_object() || !run.summary.contains("band")) return ordered_json::object();
+  const ordered_json& band = run.summary.at("band");
+  const bool found = band.is_object() && band.contains("found") && band.at("found") == true;
+  return found ? band : ordered_json::object();
+}
+
+/// A figure that stands for nothing unless it is positive.
+PageCell positive(const ordered_json& json, const char* name, int digits) {
+  const PageCell shown = figure(json, name, 1.0, digits);
+  return json.contains(name) && json.at(name).is_number() && json.at(name).get<double>() > 0.0 ? shown : none;
 }
 
 PageCell exponent(const ordered_json& json, const char* name) {
@@ -87,19 +96,18 @@ PageTable band_table(Runs runs) {
                   .rows = {}};
   for (const RunResult& run : runs) {
     const ordered_json band = band_of(run);
-    table.rows.push_back(
-        {{{run.label},
-          figure(run.summary, "phi_peak_deg", 1.0, 2),
-          figure(run.summary, "u_over_h_at_peak", 0.01, 2),
-          figure(run.summary, "phi_residual_deg", 1.0, 1),
-          kind_of_band(run),
-          figure(band, "inclination_deg", 1.0, 1),
-          figure(band, "thickness_m", 1e-3, 2),
-          band.value("thickness_over_lc", 0.0) > 0.0 ? figure(band, "thickness_over_lc", 1.0, 1) : none,
-          figure(band, "thickness_fwhm_m", 1e-3, 2),
-          figure(band, "thickness_rate_m", 1e-3, 2),
-          figure(band, "void_ratio_inside", 1.0, 3)},
-         run.name});
+    table.rows.push_back({{{run.label},
+                           figure(run.summary, "phi_peak_deg", 1.0, 2),
+                           figure(run.summary, "u_over_h_at_peak", 0.01, 2),
+                           figure(run.summary, "phi_residual_deg", 1.0, 1),
+                           kind_of_band(run),
+                           figure(band, "inclination_deg", 1.0, 1),
+                           figure(band, "thickness_m", 1e-3, 2),
+                           positive(band, "thickness_over_lc", 1),
+                           figure(band, "thickness_fwhm_m", 1e-3, 2),
+                           figure(band, "thickness_rate_m", 1e-3, 2),
+                           figure(band, "void_ratio_inside", 1.0, 3)},
+                          run.name});
   }
   return table;
 }
@@ -165,6 +173,15 @@ std::optional<Frame> frame_at(const RunResult& run, double u_over_h) {
   return read_frame(std::ranges::min_element(files, {}, distance)->path);
 }
 
+std::optional<Frame> readable_frame(const RunResult& run, double u_over_h) {
+  try {
+    return frame_at(run, u_over_h);
+  } catch (const std::exception& error) {
+    print_warning(run.name + " has no picture: " + error.what());
+    return std::nullopt;
+  }
+}
+
 double common_strain(Runs runs) {
   double least = 1.0;
   for (const RunResult& run : runs)
@@ -194,7 +211,7 @@ PagePictures field_pictures(Runs runs, const std::string& field, const std::stri
         shown.push_back(&run);
         frames.push_back(std::move(*frame));
       }
-    } catch (const InputError& error) { all.caption += std::string(" No picture: ") + error.what() + "."; }
+    } catch (const std::exception& error) { all.caption += std::string(" No picture: ") + error.what() + "."; }
   }
   if (frames.empty()) return all;
   all.range = field_range(frames, field);

@@ -29,6 +29,8 @@ PageTable settings_table(Runs runs);
 std::optional<double> history_at(const RunResult& run, const std::string& column, double u_over_h);
 /// The frame nearest to a strain that the run has reached; none where no frames in two dimensions were written.
 std::optional<Frame> frame_at(const RunResult& run, double u_over_h);
+/// The same; none, and a warning, where it is damaged.
+std::optional<Frame> readable_frame(const RunResult& run, double u_over_h);
 /// The strain that every run with frames has reached.
 double common_strain(Runs runs);
 
