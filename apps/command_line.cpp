@@ -1,5 +1,6 @@
 #include "apps/command_line.hpp"
 
+#include "apps/commit.hpp"
 #include "core/base/error.hpp"
 #include "core/io/suggestion.hpp"
 
@@ -230,6 +231,6 @@ Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 4 a plug-in is missi
 )";
 }
 
-std::string version() { return "riedel " RIEDEL_VERSION; }
+std::string version() { return std::string("riedel " RIEDEL_VERSION " (commit ") + commit() + ")"; }
 
 } // namespace riedel

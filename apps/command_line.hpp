@@ -65,6 +65,6 @@ const Command& find_command(std::span<const Command> commands, std::string_view 
 
 std::string help(const Command& command);
 std::string help(std::span<const Command> commands);
-std::string version();
+std::string version(); ///< "riedel 0.1.0 (commit 63db63f)"; what commit() says stands in it
 
 } // namespace riedel

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <omp.h>
 #include <optional>
 
@@ -53,12 +54,14 @@ Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names&
   return studies;
 }
 
-void write_results(const Studies& studies, const std::filesystem::path& folder) {
+void write_results(const Studies& studies, const std::string& status, const std::filesystem::path& folder) {
   const std::string tables = verify_tables(studies);
   write_atomically(folder / "verify.md", tables);
   write_atomically(folder / "verify.csv", verify_csv(studies));
+  write_atomically(folder / "summary.json", verify_summary(studies, status).dump(2) + "\n");
   draw_verify(studies, drawn(studies), folder);
-  std::cout << tables << "\nwritten to " << folder.string() << ": verify.md, verify.csv, convergence.png, cost.png\n";
+  std::cout << tables << "\nwritten to " << folder.string()
+            << ": verify.md, verify.csv, summary.json, convergence.png, cost.png\n";
   for (const VerifyStudy& each : studies)
     if (const std::string missed = each.missed(); !missed.empty())
       print_warning(each.problem->name + " under " + each.scheme + ": " + missed);
@@ -80,7 +83,7 @@ int verify(const Arguments& arguments) {
   omp_set_num_threads(1); // small problems; times are those of one thread
 
   const Studies studies = carry_out(catalogue, schemes, problems, points, interrupt);
-  if (!studies.empty()) write_results(studies, folder);
+  if (!studies.empty()) write_results(studies, interrupt ? "interrupted" : "done", folder);
   if (interrupt) return interrupt.exit_code();
   if (document) document->write(verify_tables(studies));
   return 0;

@@ -1,6 +1,8 @@
 #include "apps/verify/report.hpp"
 
 #include "apps/bench_table.hpp"
+#include "apps/command_line.hpp"
+#include "apps/figure_json.hpp"
 #include "core/io/plot.hpp"
 
 namespace riedel {
@@ -43,6 +45,8 @@ std::string figures_text(const VerifyProblem& problem, const VerifyRun& run) {
   return text;
 }
 
+std::string number_cell(const char* form, double x) { return std::isfinite(x) ? text_of(form, x) : ""; }
+
 /// Commas and quotes as comma-separated files have them.
 std::string quoted(const std::string& text) {
   std::string answer = "\"";
@@ -79,11 +83,32 @@ std::string verify_csv(const std::vector<VerifyStudy>& studies) {
               "," + study.expected().text + "," + ns + "," + end + "\n";
     };
     for (std::size_t i = 0; i < study.runs.size(); ++i)
-      line(i, exact_text(study.runs[i].error) + "," + text_of("%.4f", study.order()), text_of("%.4g", study.runs[i].ns),
-           "," + figures_text(*study.problem, study.runs[i]));
-    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", quoted(study.failure) + ",");
+      line(i, exact_text(study.runs[i].error) + "," + number_cell("%.4f", study.order()),
+           text_of("%.4g", study.runs[i].ns), "," + figures_text(*study.problem, study.runs[i]));
+    if (!study.failure.empty()) line(study.runs.size(), ",", "", quoted(study.failure) + ",");
   }
   return text;
+}
+
+nlohmann::ordered_json verify_summary(const std::vector<VerifyStudy>& studies, const std::string& status) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const VerifyStudy& study : studies) {
+    nlohmann::ordered_json errors = nlohmann::ordered_json::array(), cells = errors;
+    for (std::size_t i = 0; i < study.runs.size(); ++i) {
+      errors.push_back(study.runs[i].error);
+      cells.push_back(study.problem->cells[i]);
+    }
+    all.push_back({{"problem", study.problem->name},
+                   {"scheme", study.scheme},
+                   {"cells", cells},
+                   {"errors", errors},
+                   {"order", figure_json(study.order())},
+                   {"expected", study.expected().text},
+                   {"missed", study.missed()},
+                   {"failure", study.failure},
+                   {"ns_per_point_step", figure_json(study.runs.empty() ? std::nan("") : study.runs.back().ns)}});
+  }
+  return {{"case", "verify"}, {"version", version()}, {"status", status}, {"studies", all}};
 }
 
 void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
