@@ -1,7 +1,7 @@
 /// riedel biaxial: the plane strain compression test, from a case to numbers, files for ParaView and pictures.
-#include "apps/band_report.hpp"
 #include "apps/biaxial_keys.hpp"
 #include "apps/biaxial_pictures.hpp"
+#include "apps/biaxial_report.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
 #include "apps/interrupt.hpp"
@@ -13,13 +13,10 @@
 
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 namespace riedel {
 
 namespace {
-
-constexpr double quasi_static_limit = 0.05; ///< greatest kinetic over internal energy of a quasi-static run
 
 /// Watches a fixed time step: warns once when it exceeds the stable one, and remembers by how much at most.
 class TimeStepWatch {
@@ -43,55 +40,26 @@ void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json s
   write_atomically(folder / "summary.json", summary.dump(2) + "\n");
 }
 
-template <int Dim>
-nlohmann::ordered_json summary_of(const BiaxialRun<Dim>& run, const Values& values, const std::string& status,
-                                  double wall, int threads, double step_over_limit) {
-  const nlohmann::ordered_json known = run.summary();
-  const double point_steps = known["points"].get<double>() * std::max(1.0, known["steps"].get<double>());
-  nlohmann::ordered_json all{{"case", "biaxial"}, {"version", version()}, {"status", status}};
-  all.update(known);
-  all["wall_s"] = wall;
-  all["ns_per_point_step"] = 1e9 * wall / point_steps;
-  all["threads"] = threads;
-  all["time_step_over_limit_max"] = step_over_limit;
-  all["quasi_static"] = run.kinetic_over_internal() <= quasi_static_limit && step_over_limit <= 1.0;
-  all["band"] = band_json(measure_band(run.section(), values));
-  return all;
-}
-
-void print_result(const nlohmann::ordered_json& s, const std::filesystem::path& folder,
+void print_result(const nlohmann::ordered_json& summary, const std::filesystem::path& folder,
                   const std::vector<std::string>& pictures) {
-  const auto& band = s["band"];
-  std::printf("peak       %.2f deg at u/h0 = %.2f %%\nresidual   %.2f deg (mean of the last 1 %% of u/h0)\n",
-              s["phi_peak_deg"].get<double>(), 100 * s["u_over_h_at_peak"].get<double>(),
-              s["phi_residual_deg"].get<double>());
-  if (band["found"].get<bool>())
-    std::printf("shear band %s, inclined %.1f deg, thickness %.2f mm (half maximum), %.2f mm (by void ratio)\n",
-                band["kind"].get<std::string>().c_str(), band["inclination_deg"].get<double>(),
-                1e3 * band["thickness_fwhm_m"].get<double>(), 1e3 * band["thickness_m"].get<double>());
-  else
-    std::printf("shear band none\n");
-  std::printf("energy     kinetic over internal at most %.2g\ntime       %.1f s, %.0f ns per point and step\n",
-              s["kinetic_over_internal_max"].get<double>(), s["wall_s"].get<double>(),
-              s["ns_per_point_step"].get<double>());
-  std::printf("written to %s: case.toml, history.csv, summary.json", folder.c_str());
-  for (const std::string& name : pictures) std::printf(", %s", name.c_str());
-  std::printf("\n");
+  std::cout << biaxial_text(summary) << "written to " << folder.string() << ": case.toml, history.csv, summary.json";
+  for (const std::string& name : pictures) std::cout << ", " << name;
+  std::cout << std::endl;
 }
 
-/// A failed run says so in its summary, as far as that can still be written.
+/// A run that failed before it began says so in its summary, as far as that can still be written.
 void write_failure(const std::filesystem::path& folder, const RunError& failure) {
+  if (std::filesystem::exists(folder / "summary.json")) return; // it has told more
   try {
     write_summary(folder,
                   {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", failure.what()}});
   } catch (const RunError& another) { print_warning(another.what()); }
 }
 
-/// @return the greatest time step over the stable limit
 template <int Dim>
-double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads) {
+void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads,
+             TimeStepWatch& watch) {
   Progress progress("biaxial");
-  TimeStepWatch watch;
   watch.look(run.simulation());
   run.advance(
       threads, [&] { return static_cast<bool>(interrupt); },
@@ -102,12 +70,12 @@ double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& inte
         progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
       });
   run.finish();
-  return watch.most();
 }
 
 /// What a reader of the numbers must know before believing them.
 template <int Dim>
-void warn_of_doubts(const BiaxialRun<Dim>& run, double step_over_limit) {
+void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& band, double step_over_limit) {
+  if (band.at("doubt").is_string()) print_warning("shear band: " + band.at("doubt").get<std::string>());
   if (step_over_limit > 1.0)
     print_warning("the time step was " + short_text(step_over_limit) +
                   " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
@@ -124,16 +92,25 @@ int run_case(const Values& values, const Catalogue& catalogue, const std::filesy
   const auto start = std::chrono::steady_clock::now();
   ThreadChoice threads(allowed);
   BiaxialRun<Dim> run(values, catalogue, folder);
-  const double step_over_limit = advance(run, values, interrupt, threads);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-
-  const nlohmann::ordered_json result =
-      summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads.most_used(), step_over_limit);
+  TimeStepWatch watch;
+  const auto ending = [&](const std::string& status, const std::string& reason = "") {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return BiaxialEnding{status, reason, wall.count(), threads.most_used(), watch.most()};
+  };
+  try {
+    advance(run, values, interrupt, threads, watch);
+  } catch (const RunError& failure) {
+    const nlohmann::ordered_json result = biaxial_summary(run, values, ending("failed", failure.what()));
+    print_result(result, folder, {});
+    write_summary(folder, result);
+    throw;
+  }
+  const nlohmann::ordered_json result = biaxial_summary(run, values, ending(interrupt ? "interrupted" : "done"));
   write_summary(folder, result);
   std::vector<std::string> pictures;
   if (values.flag("output.plots")) pictures = draw_biaxial(run.rows(), run.section(), values, folder);
   print_result(result, folder, pictures);
-  warn_of_doubts(run, step_over_limit);
+  warn_of_doubts(run, result.at("band"), watch.most());
   return interrupt ? interrupt.exit_code() : 0;
 }
 

@@ -38,12 +38,15 @@ public:
   [[nodiscard]] double u_over_h() const { return u_ / values_.number("specimen.height"); }
   [[nodiscard]] Frame frame() const;   ///< the present
   [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
-  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 % [-].
+  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
+  /// that far [-].
   [[nodiscard]] double kinetic_over_internal() const;
-  /// The keys of summary.json that the run itself knows.
+  /// The keys of summary.json that the run itself knows; null for what it cannot have.
   [[nodiscard]] nlohmann::ordered_json summary() const;
 
 private:
+  /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].
+  [[nodiscard]] double residual_angle(double u_over_h_at_peak) const;
   void add_row();
   void add_frame();
 

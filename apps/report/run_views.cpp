@@ -1,5 +1,6 @@
 #include "apps/report/run_views.hpp"
 
+#include "apps/figure_json.hpp"
 #include "core/base/error.hpp"
 #include "core/io/field_image.hpp"
 #include "core/io/vtk_reader.hpp"
@@ -19,19 +20,21 @@ const PageCell none{"–", "faint"};
 
 /// A figure of a summary, or of the band in it, in its unit; a dash where there is none.
 PageCell figure(const ordered_json& json, const char* name, double unit, int digits) {
-  if (!json.is_object() || !json.contains(name) || !json.at(name).is_number()) return none;
-  return {with_digits(json.at(name).get<double>() / unit, digits)};
+  const double x = figure_in(json, name);
+  return std::isnan(x) ? none : PageCell{with_digits(x / unit, digits)};
 }
 
 ordered_json band_of(const RunResult& run) {
-  const bool has_band = run.summary.is_object() && run.summary.contains("band");
-  return has_band && run.summary.at("band").value("found", false) ? run.summary.at("band") : ordered_json::object();
+  const bool measured = run.summary.is_object() && run.summary.contains("band");
+  return measured && text_in(run.summary.at("band"), "kind", "none") != "none" ? run.summary.at("band")
+                                                                               : ordered_json();
 }
 
 PageCell exponent(const ordered_json& json, const char* name) {
-  if (!json.is_object() || !json.contains(name) || !json.at(name).is_number()) return none;
+  const double x = figure_in(json, name);
+  if (std::isnan(x)) return none;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1e", json.at(name).get<double>());
+  std::snprintf(text.data(), text.size(), "%.1e", x);
   return {text.data()};
 }
 
@@ -42,7 +45,8 @@ PageCell last_of(const RunResult& run, const char* column, int digits) {
 
 PageCell kind_of_band(const RunResult& run) {
   if (run.status != RunStatus::done) return {name_of(run.status), "faint"};
-  return {run.summary.at("band").value("kind", "none")};
+  const ordered_json& band = run.summary.at("band");
+  return {text_in(band, "kind", "none") + (text_in(band, "doubt", "").empty() ? "" : ", doubtful")};
 }
 
 /// Between which all but `share` of the values lie.
@@ -87,19 +91,18 @@ PageTable band_table(Runs runs) {
                   .rows = {}};
   for (const RunResult& run : runs) {
     const ordered_json band = band_of(run);
-    table.rows.push_back(
-        {{{run.label},
-          figure(run.summary, "phi_peak_deg", 1.0, 2),
-          figure(run.summary, "u_over_h_at_peak", 0.01, 2),
-          figure(run.summary, "phi_residual_deg", 1.0, 1),
-          kind_of_band(run),
-          figure(band, "inclination_deg", 1.0, 1),
-          figure(band, "thickness_m", 1e-3, 2),
-          band.value("thickness_over_lc", 0.0) > 0.0 ? figure(band, "thickness_over_lc", 1.0, 1) : none,
-          figure(band, "thickness_fwhm_m", 1e-3, 2),
-          figure(band, "thickness_rate_m", 1e-3, 2),
-          figure(band, "void_ratio_inside", 1.0, 3)},
-         run.name});
+    table.rows.push_back({{{run.label},
+                           figure(run.summary, "phi_peak_deg", 1.0, 2),
+                           figure(run.summary, "u_over_h_at_peak", 0.01, 2),
+                           figure(run.summary, "phi_residual_deg", 1.0, 1),
+                           kind_of_band(run),
+                           figure(band, "inclination_deg", 1.0, 1),
+                           figure(band, "thickness_m", 1e-3, 2),
+                           figure(band, "thickness_over_lc", 1.0, 1),
+                           figure(band, "thickness_fwhm_m", 1e-3, 2),
+                           figure(band, "thickness_rate_m", 1e-3, 2),
+                           figure(band, "void_ratio_inside", 1.0, 3)},
+                          run.name});
   }
   return table;
 }

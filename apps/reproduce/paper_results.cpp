@@ -1,6 +1,7 @@
 #include "apps/reproduce/paper_results.hpp"
 
 #include "apps/band_report.hpp"
+#include "apps/figure_json.hpp"
 #include "core/io/vtk_reader.hpp"
 
 #include <algorithm>
@@ -33,9 +34,8 @@ double PaperResults::figure(const std::string& run, const std::string& name) con
   if (result == nullptr) return nothing;
   const bool of_band = name.starts_with("band.");
   const nlohmann::ordered_json& from = of_band ? result->summary.at("band") : result->summary;
-  if (of_band && !from.value("found", false)) return nothing;
-  const std::string key = of_band ? name.substr(5) : name;
-  return from.contains(key) && from.at(key).is_number() ? from.at(key).get<double>() : nothing;
+  if (of_band && !flag_in(from, "found")) return nothing;
+  return figure_in(from, (of_band ? name.substr(5) : name).c_str());
 }
 
 double PaperResults::angle_at(const std::string& run, double u_over_h) const {
