@@ -120,6 +120,7 @@ int biaxial(const Arguments& arguments) {
   const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
   const Catalogue catalogue = inventory(file).catalogue;
   const CheckedCase given = biaxial_case(file, catalogue);
+  for (const std::string& note : given.notes) print_note(note);
   for (const std::string& warning : given.warnings) print_warning(warning);
   const std::filesystem::path folder = arguments.out("results/biaxial");
   const ThreadRange threads = arguments.threads();

@@ -1,4 +1,5 @@
 #include "apps/biaxial_keys.hpp"
+#include "apps/biaxial_sense.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
 #include "apps/element_keys.hpp"
@@ -25,8 +26,15 @@ int check(const Arguments& arguments) {
     return 0;
   }
   const CheckedCase checked = test ? element_case(given, catalogue) : biaxial_case(given, catalogue);
+  for (const std::string& note : checked.notes) print_note(note);
   for (const std::string& warning : checked.warnings) print_warning(warning);
-  std::cout << "# ok\n" << case_text(checked.keys, checked.values);
+  std::cout << "# ok\n";
+  if (!test) {
+    const ExpectedWork expected = expected_work_of(checked.values, catalogue);
+    for (const Finding& doubt : time_step_doubts(checked.values, expected)) print_warning(given.lines({doubt}));
+    std::cout << "# expected: " << expected_text(expected) << "\n";
+  }
+  std::cout << case_text(checked.keys, checked.values);
   return 0;
 }
 

@@ -31,5 +31,6 @@ void print(std::string_view kind, std::string_view colour, std::string_view text
 
 void print_error(std::string_view text) { print("error", "1;31", text); }
 void print_warning(std::string_view text) { print("warning", "1;33", text); }
+void print_note(std::string_view text) { print("note", "1;36", text); }
 
 } // namespace riedel
