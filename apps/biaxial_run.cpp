@@ -1,7 +1,6 @@
 #include "apps/biaxial_run.hpp"
 
 #include "apps/section.hpp"
-#include "core/io/snapshot.hpp"
 
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -22,6 +21,7 @@ BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, co
       depth_(specimen_depth(values)),
       simulation_(make_biaxial<Dim>(values, catalogue)),
       speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
+      start_(places_of(simulation_.state())),
       history_(folder / "history.csv", columns) {
   if (values.flag("output.vtk")) series_.emplace(folder);
   add_row();
@@ -82,14 +82,13 @@ void BiaxialRun<Dim>::add_frame() {
 
 template <int Dim>
 Frame BiaxialRun<Dim>::frame() const {
-  return snapshot(simulation_, u_over_h());
+  return snapshot(simulation_, u_over_h(), start_);
 }
 
 template <int Dim>
 Frame BiaxialRun<Dim>::section() const {
   if constexpr (Dim == 2) return frame();
-  return mean_over_depth(frame(), values_.integer("specimen.depth_cells") * values_.integer("specimen.points_per_cell"),
-                         depth_);
+  return mean_over_depth(frame(), depth_);
 }
 
 template <int Dim>

@@ -4,6 +4,7 @@
 #include "apps/specimen.hpp"
 #include "core/base/thread_choice.hpp"
 #include "core/io/history.hpp"
+#include "core/io/snapshot.hpp"
 #include "core/io/vtk_writer.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -51,6 +52,7 @@ private:
   double depth_; ///< 1 in two dimensions [m]
   Simulation<Dim> simulation_;
   std::function<double(double)> speed_;
+  StartPlaces<Dim> start_;
   History history_;
   std::optional<SeriesWriter> series_;
   std::vector<BiaxialRow> rows_;
