@@ -8,6 +8,7 @@
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/report/legend.hpp"
 #include "apps/vary.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
@@ -166,6 +167,7 @@ int element(const Arguments& arguments) {
     if (interrupt) break;
   }
   std::vector<std::string> pictures;
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].label = legend_label(runs[i].variant.settings);
   if (runs.front().checked.values.flag("output.plots"))
     pictures = draw_element(curves, overlay, subject_of(runs.front()), folder);
   print_files(folder, runs.size() > 1, pictures);

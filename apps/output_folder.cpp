@@ -1,5 +1,6 @@
 #include "apps/output_folder.hpp"
 
+#include "apps/drawn_fields.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 
@@ -28,11 +29,11 @@ void remove_frames(const fs::path& folder, const std::string& series) {
 
 /// All but case.toml, which may be the very case that is being run.
 void remove_results(const fs::path& folder) {
-  for (const char* result :
-       {"history.csv", "element.csv", "output.txt", "summary.json", "points.pvd", "domains.pvd", "history.png",
-        "history.svg", "void_ratio.png", "shear_strain.png", "stress_strain.png", "compression.png", "friction.png",
-        "shear.png", "verify.md", "verify.csv", "convergence.png", "cost.png"})
+  for (const char* result : {"history.csv", "element.csv", "output.txt", "summary.json", "points.pvd", "domains.pvd",
+                             "history.png", "history.svg", "void_ratio.png", "stress_strain.png", "compression.png",
+                             "friction.png", "shear.png", "verify.md", "verify.csv", "convergence.png", "cost.png"})
     fs::remove(folder / result);
+  for (const DrawnField& field : drawn_fields) fs::remove(folder / (std::string(field.name) + ".png"));
   for (const char* series : {"points", "domains"}) remove_frames(folder, series);
 }
 

@@ -67,7 +67,7 @@ Page report(const std::string& command, const PaperResults& results, const Repro
     page.plot(part.plot, part.caption);
     for (const SpecimenFigure& specimens : found.specimens)
       if (specimens.figure == part.figure)
-        page.pictures(field_pictures(specimens.runs, "void_ratio", "void ratio e [-]", drawn_strain));
+        page.pictures(field_pictures(specimens.runs, drawn_fields.front(), drawn_strain));
   }
   if (results.all().empty()) return page;
   page.heading("The runs");

@@ -1,5 +1,6 @@
 #include "apps/report/run_views.hpp"
 
+#include "apps/section.hpp"
 #include "core/base/error.hpp"
 #include "core/io/field_image.hpp"
 #include "core/io/vtk_reader.hpp"
@@ -160,9 +161,12 @@ std::optional<double> history_at(const RunResult& run, const std::string& column
 std::optional<Frame> frame_at(const RunResult& run, double u_over_h) {
   const auto time = history_at(run, "time_s", u_over_h);
   const std::vector<FrameFile> files = frame_files(run.folder);
-  if (!time || files.empty() || files.front().path.extension() != ".vtp") return std::nullopt;
+  if (!time || files.empty()) return std::nullopt;
   const auto distance = [&](const FrameFile& file) { return std::abs(file.time - *time); };
-  return read_frame(std::ranges::min_element(files, {}, distance)->path);
+  Frame frame = read_frame(std::ranges::min_element(files, {}, distance)->path);
+  if (frame.dimension == 2) return frame;
+  if (!frame.has("displacement")) return std::nullopt; // it does not tell which points stood behind one another
+  return mean_over_depth(frame, depth_of(frame));
 }
 
 double common_strain(Runs runs) {
@@ -172,25 +176,25 @@ double common_strain(Runs runs) {
   return least;
 }
 
-Interval field_range(std::span<const Frame> frames, const std::string& field) {
+Interval field_range(std::span<const Frame> frames, const DrawnField& field) {
   std::vector<double> values;
   for (const Frame& frame : frames) {
-    const std::vector<double> more = FieldColors{field, 0, {}}.values(frame);
+    const std::vector<double> more = FieldColors{field.name, field.component, {}, field.unit}.values(frame);
     values.insert(values.end(), more.begin(), more.end());
   }
   return range_without_extremes(std::move(values), 2e-3);
 }
 
-PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h) {
+PagePictures field_pictures(Runs runs, const DrawnField& field, double u_over_h) {
   PagePictures all{.caption = "Specimens at u/h₀ = " + with_digits(100.0 * u_over_h, 1) + " %.",
                    .pictures = {},
-                   .label = label,
+                   .label = field.label,
                    .range = {}};
   std::vector<const RunResult*> shown;
   std::vector<Frame> frames;
   for (const RunResult& run : runs) {
     try {
-      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field)) {
+      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field.name)) {
         shown.push_back(&run);
         frames.push_back(std::move(*frame));
       }
@@ -203,8 +207,8 @@ PagePictures field_pictures(Runs runs, const std::string& field, const std::stri
   const Box view = view_of(drawn);
   constexpr int height = 640;
   for (std::size_t i = 0; i < frames.size(); ++i)
-    all.pictures.push_back(
-        {field_image(frames[i], {field, 0, all.range}, view, height), shown[i]->label, shown[i]->name});
+    all.pictures.push_back({field_image(frames[i], {field.name, field.component, all.range, field.unit}, view, height),
+                            shown[i]->label, shown[i]->name});
   all.width_px = static_cast<int>(0.5 * height * (view.right - view.left) / (view.top - view.bottom));
   return all;
 }

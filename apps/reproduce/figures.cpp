@@ -134,7 +134,7 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
                           .title = "",
                           .subtitle = "",
                           .label = "void ratio e [-], u/h₀ = " + with_digits(100 * drawn_strain, 0) + " %",
-                          .range = field_range(frames, "void_ratio"),
+                          .range = field_range(frames, drawn_fields.front()),
                           .width = 2000,
                           .height = 900});
   }
