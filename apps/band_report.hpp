@@ -9,8 +9,8 @@
 
 namespace riedel {
 
-/// Measures the band of a frame in the plane with the case's l_c and void ratio of the threshold; none for a law
-/// without a void ratio.
+/// Measures the band of a frame in the plane with the case's l_c and void ratio of the threshold, and by the
+/// shear strain for a law without a void ratio.
 ShearBand measure_band(const Frame& frame, const Values& values);
 
 nlohmann::ordered_json band_json(const ShearBand& band);

@@ -9,8 +9,10 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/progress.hpp"
 
+#include <cstring>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace riedel {
 
@@ -47,11 +49,23 @@ void write_json(const Arguments& arguments, const nlohmann::ordered_json& json) 
   if (const auto file = arguments.text("json")) write_atomically(*file, json.dump(2) + "\n");
 }
 
+/// What can be known of the file before hours of measuring.
+void check_json(const Arguments& arguments) {
+  const auto file = arguments.text("json");
+  if (!file) return;
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(*file).parent_path();
+  if (fs::is_directory(*file)) throw InputError("--json " + *file + ": is a folder");
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw InputError("--json " + *file + ": cannot be written: " + std::strerror(errno));
+}
+
 int machine_mode(const Arguments& arguments, const BenchEffort& effort) {
   const MachineLimits limits = measure_machine(effort);
   const BareKernelTimes bare = measure_bare_kernel(effort);
   if (effort.stop()) return 0;
-  std::cout << processor_name() << "; this program: " << instruction_set() << "\n\n" << machine_tables(limits, bare);
+  std::cout << processor_name() << "; this program: " << instruction_set() << "\n\n"
+            << machine_tables(limits, bare) << std::flush;
   write_json(arguments, nlohmann::ordered_json::array({machine_json(limits, bare)}));
   return 0;
 }
@@ -61,14 +75,17 @@ int cases_mode(const Arguments& arguments, const std::vector<BenchCase>& cases, 
   const std::vector<BenchResult> results = measure_all(cases, catalogue, effort);
   nlohmann::ordered_json json = results_json(results);
   if (peers) add_peers(json, results);
-  write_json(arguments, json);
-  if (results.empty()) return 0;
+  if (results.empty()) {
+    write_json(arguments, json);
+    return 0;
+  }
   std::cout << "Nanoseconds and bytes per point; median of " << effort.repeats << " repeats. " << processor_name()
             << "; bare kernel: " << instruction_set() << "\n\n"
             << (peers ? peers_table(results) : results_table(results))
             << "\nBy phase, ns, measured apart with the clock running\n\n"
-            << phases_table(results);
+            << phases_table(results) << std::flush;
   warn_of_storms(results);
+  write_json(arguments, json); // last: the tables are out if it fails
   return 0;
 }
 
@@ -78,6 +95,7 @@ int bench(const Arguments& arguments) {
   const bool peers = arguments.has("peers"), machine = arguments.has("machine");
   if (peers && machine) throw InputError("--peers and --machine: one at a time");
   if (peers || machine) refuse_choices(arguments, peers ? "peers" : "machine");
+  check_json(arguments);
   const Catalogue catalogue = inventory(arguments.list("plugin", {})).catalogue;
   BenchEffort effort = bench_effort(arguments);
   const std::vector<BenchCase> cases = peers ? peer_cases() : bench_cases(arguments, catalogue);

@@ -1,5 +1,7 @@
 #include "apps/bench_measure.hpp"
 
+#include "apps/threads.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <malloc.h>
@@ -20,6 +22,7 @@ double bytes_in_use() {
 
 /// Starts the threads, whose stacks and tables belong to no case.
 void set_threads(int threads) {
+  require_threads(threads);
   omp_set_num_threads(threads);
   int started = 0;
 #pragma omp parallel reduction(+ : started)

@@ -1,5 +1,7 @@
 #include "apps/bench_table.hpp"
 
+#include "apps/command_line.hpp"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -155,6 +157,7 @@ nlohmann::ordered_json results_json(const std::vector<BenchResult>& results) {
     if (r.ns_of_bare_kernel > 0.0) row["ratio_to_bare_kernel"] = r.ratio();
     row["machine"] = machine;
     row["instruction_set"] = instruction_set();
+    row["version"] = version();
     all.push_back(row);
   }
   return all;
@@ -169,6 +172,7 @@ nlohmann::ordered_json machine_json(const MachineLimits& m, const BareKernelTime
   for (const LawTimes& t : m.laws) laws.push_back({{"law", t.law}, {"pack_ns", t.pack}, {"scalar_ns", t.scalar}});
   return {{"machine", processor_name()},
           {"instruction_set", instruction_set()},
+          {"version", version()},
           {"triad_memory_GB_per_s", m.triad_memory},
           {"triad_l2_GB_per_s", m.triad_l2},
           {"fma_GFLOP_per_s", m.fma},

@@ -1,25 +1,25 @@
 /// riedel biaxial: the plane strain compression test, from a case to numbers, files for ParaView and pictures.
-#include "apps/band_report.hpp"
 #include "apps/biaxial_keys.hpp"
 #include "apps/biaxial_pictures.hpp"
+#include "apps/biaxial_report.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/failure.hpp"
 #include "apps/interrupt.hpp"
+#include "apps/memory_needed.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/threads.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/case_text.hpp"
 #include "core/io/progress.hpp"
 
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 namespace riedel {
 
 namespace {
-
-constexpr double quasi_static_limit = 0.05; ///< greatest kinetic over internal energy of a quasi-static run
 
 /// Watches a fixed time step: warns once when it exceeds the stable one, and remembers by how much at most.
 class TimeStepWatch {
@@ -43,55 +43,25 @@ void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json s
   write_atomically(folder / "summary.json", summary.dump(2) + "\n");
 }
 
-template <int Dim>
-nlohmann::ordered_json summary_of(const BiaxialRun<Dim>& run, const Values& values, const std::string& status,
-                                  double wall, int threads, double step_over_limit) {
-  const nlohmann::ordered_json known = run.summary();
-  const double point_steps = known["points"].get<double>() * std::max(1.0, known["steps"].get<double>());
-  nlohmann::ordered_json all{{"case", "biaxial"}, {"version", version()}, {"status", status}};
-  all.update(known);
-  all["wall_s"] = wall;
-  all["ns_per_point_step"] = 1e9 * wall / point_steps;
-  all["threads"] = threads;
-  all["time_step_over_limit_max"] = step_over_limit;
-  all["quasi_static"] = run.kinetic_over_internal() <= quasi_static_limit && step_over_limit <= 1.0;
-  all["band"] = band_json(measure_band(run.section(), values));
-  return all;
-}
-
-void print_result(const nlohmann::ordered_json& s, const std::filesystem::path& folder,
+void print_result(const nlohmann::ordered_json& summary, const std::filesystem::path& folder,
                   const std::vector<std::string>& pictures) {
-  const auto& band = s["band"];
-  std::printf("peak       %.2f deg at u/h0 = %.2f %%\nresidual   %.2f deg (mean of the last 1 %% of u/h0)\n",
-              s["phi_peak_deg"].get<double>(), 100 * s["u_over_h_at_peak"].get<double>(),
-              s["phi_residual_deg"].get<double>());
-  if (band["found"].get<bool>())
-    std::printf("shear band %s, inclined %.1f deg, thickness %.2f mm (half maximum), %.2f mm (by void ratio)\n",
-                band["kind"].get<std::string>().c_str(), band["inclination_deg"].get<double>(),
-                1e3 * band["thickness_fwhm_m"].get<double>(), 1e3 * band["thickness_m"].get<double>());
-  else
-    std::printf("shear band none\n");
-  std::printf("energy     kinetic over internal at most %.2g\ntime       %.1f s, %.0f ns per point and step\n",
-              s["kinetic_over_internal_max"].get<double>(), s["wall_s"].get<double>(),
-              s["ns_per_point_step"].get<double>());
-  std::printf("written to %s: case.toml, history.csv, summary.json", folder.c_str());
-  for (const std::string& name : pictures) std::printf(", %s", name.c_str());
-  std::printf("\n");
+  std::cout << biaxial_text(summary) << "written to " << folder.string() << ": case.toml, history.csv, summary.json";
+  for (const std::string& name : pictures) std::cout << ", " << name;
+  std::cout << std::endl;
 }
 
-/// A failed run says so in its summary, as far as that can still be written.
-void write_failure(const std::filesystem::path& folder, const RunError& failure) {
+/// A run that failed before it began says so in its summary, as far as that can still be written.
+void write_failure(const std::filesystem::path& folder, const std::string& reason) {
+  if (std::filesystem::exists(folder / "summary.json")) return; // it has told more
   try {
-    write_summary(folder,
-                  {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", failure.what()}});
+    write_summary(folder, {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", reason}});
   } catch (const RunError& another) { print_warning(another.what()); }
 }
 
-/// @return the greatest time step over the stable limit
 template <int Dim>
-double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads) {
+void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads,
+             TimeStepWatch& watch) {
   Progress progress("biaxial");
-  TimeStepWatch watch;
   watch.look(run.simulation());
   run.advance(
       threads, [&] { return static_cast<bool>(interrupt); },
@@ -102,12 +72,12 @@ double advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& inte
         progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
       });
   run.finish();
-  return watch.most();
 }
 
 /// What a reader of the numbers must know before believing them.
 template <int Dim>
-void warn_of_doubts(const BiaxialRun<Dim>& run, double step_over_limit) {
+void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& band, double step_over_limit) {
+  if (band.at("doubt").is_string()) print_warning("shear band: " + band.at("doubt").get<std::string>());
   if (step_over_limit > 1.0)
     print_warning("the time step was " + short_text(step_over_limit) +
                   " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
@@ -116,45 +86,77 @@ void warn_of_doubts(const BiaxialRun<Dim>& run, double step_over_limit) {
                   " of the internal one; use a smaller loading.speed");
 }
 
-/// Runs the case and leaves everything in `folder`. @return the exit code
+/// What a run was asked for.
+struct Order {
+  CheckedCase given;
+  Catalogue catalogue;
+  ThreadRange threads;
+};
+
+/// Runs the case and leaves everything in the folder, once it is known to begin. @return the exit code
 template <int Dim>
-int run_case(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder,
-             ThreadRange allowed) {
+int run_case(const Order& order, OutputFolder& output, bool& begun) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
-  ThreadChoice threads(allowed);
-  BiaxialRun<Dim> run(values, catalogue, folder);
-  const double step_over_limit = advance(run, values, interrupt, threads);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-
-  const nlohmann::ordered_json result =
-      summary_of(run, values, interrupt ? "interrupted" : "done", wall.count(), threads.most_used(), step_over_limit);
-  write_summary(folder, result);
+  const Values& values = order.given.values;
+  require_threads(order.threads.most);
+  ThreadChoice threads(order.threads);
+  BiaxialRun<Dim> run(values, order.catalogue, output.path());
+  output.replace();
+  begun = true;
+  write_atomically(output.path() / "case.toml", case_text(order.given.keys, values));
+  run.begin();
+  TimeStepWatch watch;
+  const auto ending = [&](const std::string& status, const std::string& reason = "") {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return BiaxialEnding{status, reason, wall.count(), threads.most_used(), watch.most()};
+  };
+  try {
+    advance(run, values, interrupt, threads, watch);
+  } catch (const std::exception& failure) {
+    try_to_write("the summary", [&] {
+      const nlohmann::ordered_json result = biaxial_summary(run, values, ending("failed", reason_of(failure)));
+      write_summary(output.path(), result);
+      print_result(result, output.path(), {});
+    });
+    throw;
+  }
+  const nlohmann::ordered_json result = biaxial_summary(run, values, ending(interrupt ? "interrupted" : "done"));
+  write_summary(output.path(), result);
   std::vector<std::string> pictures;
-  if (values.flag("output.plots")) pictures = draw_biaxial(run.rows(), run.section(), values, folder);
-  print_result(result, folder, pictures);
-  warn_of_doubts(run, step_over_limit);
+  if (values.flag("output.plots"))
+    try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
+  print_result(result, output.path(), pictures);
+  warn_of_doubts(run, result.at("band"), watch.most());
   return interrupt ? interrupt.exit_code() : 0;
+}
+
+/// What ends a run, of whatever kind, is told in the summary, unless that would cover up the results of another run.
+int run_to_some_end(const Order& order, OutputFolder& output) {
+  bool begun = false;
+  try {
+    const bool slab = dimensions_of_biaxial(order.given.values) == 3;
+    return (slab ? run_case<3> : run_case<2>)(order, output, begun);
+  } catch (const std::exception& error) {
+    const bool wrong_input =
+        dynamic_cast<const InputError*>(&error) != nullptr || dynamic_cast<const PluginError*>(&error) != nullptr;
+    if (begun || (output.is_fresh() && !wrong_input)) write_failure(output.path(), reason_of(error));
+    rethrow_as_failure();
+  }
 }
 
 } // namespace
 
 int biaxial(const Arguments& arguments) {
   const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
-  const Catalogue catalogue = inventory(file).catalogue;
-  const CheckedCase given = biaxial_case(file, catalogue);
+  Catalogue catalogue = inventory(file).catalogue;
+  CheckedCase given = biaxial_case(file, catalogue);
+  for (const std::string& note : given.notes) print_note(note);
   for (const std::string& warning : given.warnings) print_warning(warning);
-  const std::filesystem::path folder = arguments.out("results/biaxial");
-  const ThreadRange threads = arguments.threads();
-  prepare_output_folder(folder, arguments.force());
-  try {
-    write_atomically(folder / "case.toml", case_text(given.keys, given.values));
-    return (dimensions_of_biaxial(given.values) == 3 ? run_case<3> : run_case<2>)(given.values, catalogue, folder,
-                                                                                  threads);
-  } catch (const RunError& failure) {
-    write_failure(folder, failure);
-    throw;
-  }
+  require_memory(given.values, catalogue, file);
+  const Order order{std::move(given), std::move(catalogue), arguments.threads()};
+  OutputFolder output(arguments.out("results/biaxial"), arguments.command, arguments.force());
+  return run_to_some_end(order, output);
 }
 
 } // namespace riedel

@@ -1,11 +1,12 @@
 #include "apps/biaxial_keys.hpp"
 #include "apps/edge_balance.hpp"
+#include "apps/expected_work.hpp"
 #include "apps/interpolation_keys.hpp"
 #include "apps/offered.hpp"
+#include "apps/random_field_check.hpp"
 #include "apps/specimen_geometry.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
-#include "apps/void_ratio_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +30,7 @@ void check_imperfection(const Values& v, std::vector<Finding>& errors) {
 }
 
 void check_number_of_points(const Values& v, std::vector<Finding>& errors) {
-  const auto& cells = v.integers("grid.cells");
-  const double per_direction = static_cast<double>(v.integer("specimen.points_per_cell"));
-  double points = static_cast<double>(cells[0]) * static_cast<double>(cells[1]) * per_direction * per_direction;
-  if (dimensions_of_biaxial(v) == 3) points *= v.number("specimen.depth_cells") * per_direction;
+  const double points = expected_points(v);
   const double most = std::numeric_limits<Index>::max();
   if (points > most)
     errors.push_back({{"grid.cells", "specimen.points_per_cell", "specimen.depth_cells"},
@@ -61,37 +59,6 @@ void check_rotation(const Values& v, std::vector<Finding>& errors) {
   if (dimensions_of_biaxial(v) == 3) refuse("grid.dimensions", "3", "2");
 }
 
-/// The void ratio of every point of a random field must be one that the law allows.
-void check_random_field(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
-  if (v.number("imperfection.deviation") == 0.0 || !errors.empty()) return;
-  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
-  if (state_column(law->states(), "void_ratio") < 0) {
-    errors.push_back({{"imperfection.deviation", "material.model"},
-                      "\"" + v.text("material.model") + "\" knows no void ratio that could be random; take 0"});
-    return;
-  }
-  const VoidRatioField field(v);
-  const auto& cells = v.integers("grid.cells");
-  const double width = v.number("specimen.width"), height = v.number("specimen.height");
-  const std::int64_t nx = cells[0] * v.integer("specimen.points_per_cell"),
-                     ny = cells[1] * v.integer("specimen.points_per_cell");
-  Values with = v;
-  for (std::int64_t i = 0; i < nx * ny; ++i) {
-    const Vec<2> x((static_cast<double>(i % nx) + 0.5) * width / static_cast<double>(nx),
-                   (static_cast<double>(i / nx) + 0.5) * height / static_cast<double>(ny));
-    with.set("specimen.void_ratio", v.number("specimen.void_ratio") + field(x));
-    std::vector<Finding> found;
-    check_void_ratio(with, "specimen.void_ratio",
-                     {v.number("loading.confining_pressure"), "loading.confining_pressure", "confining pressure"},
-                     found);
-    if (found.empty()) continue;
-    errors.push_back({{"imperfection.deviation", "imperfection.seed", "specimen.void_ratio"},
-                      "the random field gives the point at (" + rounded(x[0]) + ", " + rounded(x[1]) +
-                          ") m the void ratio " + found.front().text});
-    return;
-  }
-}
-
 /// A sum over points h apart acts like the integral only while h is not much above l_c.
 void check_spacing(const Values& v, std::vector<Finding>& warnings) {
   constexpr double greatest_ratio = 1.12; // 1.1; 24 × 84 cells of the paper (1.111 for l_c = 1.5 mm) are fine enough
@@ -105,15 +72,6 @@ void check_spacing(const Values& v, std::vector<Finding>& warnings) {
   warnings.push_back({{"nonlocal.length", "grid.cells", "specimen.points_per_cell"},
                       "the points are " + rounded(h) + " m apart, more than 1.1 l_c = " + rounded(1.1 * l_c) +
                           " m: the average acts like one of a shorter length; use more cells or a greater length"});
-}
-
-/// With intergranular strain a law takes no average: the run would be local without saying so.
-void check_locality(const Values& v, std::vector<Finding>& errors) {
-  const std::string extended = "material.intergranular_strain";
-  if (!v.has(extended) || !v.flag(extended) || v.number("nonlocal.length") == 0.0) return;
-  errors.push_back({{"nonlocal.length", extended},
-                    exact_text(v.number("nonlocal.length")) +
-                        " is out of range: with intergranular strain the law takes nothing averaged; allowed: 0"});
 }
 
 /// Points at the sides push their share of the pressure onto hats; the stress behind them must push back alike. For a
@@ -147,7 +105,6 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})
     check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
-  check_locality(values, found.errors);
   check_step(values, found.errors);
   check_interpolation(values, catalogue, found.errors);
   check_transfer(values, catalogue, Model<2>().flip, found);
@@ -155,7 +112,7 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   check_offered(values, catalogue, dimensions_of_biaxial(values), found.errors);
   check_number_of_points(values, found.errors);
   check_rotation(values, found.errors);
-  check_random_field(values, catalogue, found.errors);
+  check_random_field(values, catalogue, found);
   check_sides(values, catalogue, found.errors);
   check_spacing(values, found.warnings);
   return found;

@@ -1,8 +1,11 @@
 #include "apps/biaxial_keys.hpp"
 
+#include "apps/biaxial_sense.hpp"
 #include "apps/case_kind.hpp"
 #include "apps/catalogue.hpp"
+#include "apps/idle_keys.hpp"
 #include "apps/interpolation_keys.hpp"
+#include "apps/law_uses.hpp"
 #include "apps/step_keys.hpp"
 
 #include <algorithm>
@@ -27,9 +30,12 @@ Keys problem_keys(const Catalogue& catalogue) {
       {"specimen.depth_cells", std::int64_t{1}, "-", between(1, 1000),
        "in three dimensions: cells over the depth, as deep as wide"},
       {"imperfection.void_ratio", 0.90, "-", more_than(0), "initial void ratio of the loose patch"},
-      {"imperfection.size", Reals{5e-3, 5e-3}, "m", at_least(0), "width and height of the loose patch; 0: no patch"},
+      {"imperfection.size", Reals{5e-3, 5e-3}, "m", at_least(0),
+       "width and height of the loose or weak patch; 0: no patch"},
       {"imperfection.centre", Reals{0.0625, 0.5}, "-", between(0, 1),
        "centre of the patch as fractions of width and height"},
+      {"imperfection.factor", 1.0, "-", more_than(0),
+       "strength in the patch over that of the rest: cohesion and tangents of the angles of friction; 1: the same"},
       {"imperfection.deviation", 0.0, "-", at_least(0),
        "standard deviation of a random field of void ratios about specimen.void_ratio; 0: none"},
       {"imperfection.correlation_length", 5e-3, "m", more_than(0), "length over which that field is correlated"},
@@ -101,11 +107,23 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
 }
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  CheckedCase checked = checked_case(
-      given, biaxial_keys(catalogue, model_of(given)),
-      [&](const Values& values) { return check_biaxial(values, catalogue); },
-      [&](std::vector<Finding>& errors) { explain_unknown_biaxial_keys(given, catalogue, errors); });
+  Keys keys = biaxial_keys(catalogue, model_of(given));
+  const auto uses = law_uses(given.check(keys).values, catalogue); // none for a law that is wrong, which is told below
+  std::vector<std::string> notes;
+  if (uses) notes = fit_defaults(keys, *uses, given);
+  const auto check = [&](const Values& values) {
+    Findings found = check_biaxial(values, catalogue);
+    if (uses) check_uses(*uses, given, values, catalogue, found.errors);
+    check_idle_keys(given, keys, values, found.warnings);
+    check_sense(given, values, catalogue, found);
+    return found;
+  };
+  CheckedCase checked = checked_case(given, keys, check, [&](std::vector<Finding>& errors) {
+    explain_unknown_biaxial_keys(given, catalogue, errors);
+  });
   try_material(given, checked.values, catalogue);
+  if (uses) leave_out_useless(checked.keys, *uses);
+  checked.notes = std::move(notes);
   return checked;
 }
 

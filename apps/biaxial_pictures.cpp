@@ -1,5 +1,6 @@
 #include "apps/biaxial_pictures.hpp"
 
+#include "apps/drawn_fields.hpp"
 #include "core/io/picture.hpp"
 #include "core/io/plot.hpp"
 
@@ -21,7 +22,7 @@ std::string title_of(const Values& v) {
   const auto& cells = v.integers("grid.cells");
   const std::string depth =
       dimensions_of_biaxial(v) == 3 ? "×" + std::to_string(v.integer("specimen.depth_cells")) : "";
-  return v.text("scheme") + ", " + (length > 0 ? "l_c = " + with_digits(1e3 * length, 2) + " mm" : "local") + ", " +
+  return v.text("scheme") + ", " + (length > 0 ? "l_c = " + plain_number(1e3 * length) + " mm" : "local") + ", " +
          std::to_string(cells[0]) + "×" + std::to_string(cells[1]) + depth + " cells";
 }
 
@@ -44,18 +45,18 @@ std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const
   const Plot plot = history_plot(rows, values);
   write_png(folder / "history.png", plot);
   write_svg(folder / "history.svg", plot);
-
-  PictureOptions options{.field = "shear_strain",
+  std::vector<std::string> names{"history.png", "history.svg"};
+  for (const DrawnField& field : drawn_fields) {
+    if (!section.has(field.name)) continue;
+    names.push_back(std::string(field.name) + ".png");
+    write_field_picture(folder / names.back(), section,
+                        {.field = field.name,
+                         .component = field.component,
+                         .unit = field.unit,
                          .title = title_of(values),
                          .subtitle = "u/h₀ = " + with_digits(100.0 * section.u_over_h, 2) + " %",
-                         .label = "shear strain γ [-]"};
-  write_field_picture(folder / "shear_strain.png", section, options);
-  std::vector<std::string> names{"history.png", "history.svg", "shear_strain.png"};
-  if (!section.has("void_ratio")) return names;
-  options.field = "void_ratio";
-  options.label = "void ratio e [-]";
-  write_field_picture(folder / "void_ratio.png", section, options);
-  names.push_back("void_ratio.png");
+                         .label = field.label});
+  }
   return names;
 }
 

@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-/// Writes history.png and .svg, shear_strain.png and, for a law that knows it, void_ratio.png; returns their names.
+/// Writes history.png and .svg, and a picture of each of the drawn fields that the law knows; returns their names.
 /// @param section the specimen at the end, in the plane
 std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const Frame& section, const Values& values,
                                       const std::filesystem::path& folder);

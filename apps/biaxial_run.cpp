@@ -1,9 +1,8 @@
 #include "apps/biaxial_run.hpp"
 
+#include "apps/figure_json.hpp"
 #include "apps/section.hpp"
-#include "core/io/snapshot.hpp"
 
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 namespace riedel {
@@ -17,13 +16,19 @@ constexpr double settled = 0.005; ///< u/h0 before which the internal energy is 
 } // namespace
 
 template <int Dim>
-BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder)
+BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder)
     : values_(values),
       depth_(specimen_depth(values)),
       simulation_(make_biaxial<Dim>(values, catalogue)),
       speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
-      history_(folder / "history.csv", columns) {
-  if (values.flag("output.vtk")) series_.emplace(folder);
+      start_(places_of(simulation_.state())),
+      folder_(std::move(folder)) {
+  if (values.flag("output.vtk")) series_.emplace(folder_);
+}
+
+template <int Dim>
+void BiaxialRun<Dim>::begin() {
+  history_.emplace(folder_ / "history.csv", columns);
   add_row();
   add_frame();
 }
@@ -64,10 +69,10 @@ void BiaxialRun<Dim>::add_row() {
   row.time_step = simulation_.time_step();
   row.report = state.report;
   row.out_of_bounds = simulation_.out_of_bounds();
-  history_.add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
-                          row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
-                          static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
-                          static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds)});
+  history_->add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
+                           row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
+                           static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
+                           static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds)});
   rows_.push_back(row);
   force_sum_ = force_time_ = 0.0;
   next_row_ += values_.number("output.every_strain");
@@ -82,22 +87,34 @@ void BiaxialRun<Dim>::add_frame() {
 
 template <int Dim>
 Frame BiaxialRun<Dim>::frame() const {
-  return snapshot(simulation_, u_over_h());
+  return snapshot(simulation_, u_over_h(), start_);
 }
 
 template <int Dim>
 Frame BiaxialRun<Dim>::section() const {
   if constexpr (Dim == 2) return frame();
-  return mean_over_depth(frame(), values_.integer("specimen.depth_cells") * values_.integer("specimen.points_per_cell"),
-                         depth_);
+  return mean_over_depth(frame(), depth_);
 }
 
 template <int Dim>
 double BiaxialRun<Dim>::kinetic_over_internal() const {
-  double most = 0.0;
+  double most = std::nan("");
   for (const BiaxialRow& row : rows_)
-    if (row.u_over_h >= settled) most = std::max(most, row.energies.kinetic / std::abs(row.energies.internal));
+    if (row.u_over_h >= settled && row.energies.internal != 0.0)
+      most = std::fmax(most, row.energies.kinetic / std::abs(row.energies.internal));
   return most;
+}
+
+template <int Dim>
+double BiaxialRun<Dim>::residual_angle(double u_over_h_at_peak) const {
+  constexpr double residual_part = 0.01; // u/h0
+  const double end = rows_.back().u_over_h;
+  if (u_over_h() < values_.number("loading.final_strain") || end - u_over_h_at_peak < residual_part)
+    return std::nan("");
+  double sum = 0.0, counted = 0.0;
+  for (const BiaxialRow& row : rows_)
+    if (row.u_over_h > end - residual_part) sum += row.angle, counted += 1.0;
+  return sum / counted;
 }
 
 template <int Dim>
@@ -105,9 +122,8 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
   const State<Dim>& state = simulation_.state();
   const Points<Dim>& points = state.bodies.front().points;
   const auto peak = std::ranges::max_element(rows_, {}, &BiaxialRow::angle);
-  double residual = 0.0, counted = 0.0;
-  for (const BiaxialRow& row : rows_)
-    if (row.u_over_h > rows_.back().u_over_h - 0.01) residual += row.angle, counted += 1.0;
+  const bool moved = state.step > 0;
+  const auto once_moved = [&](double x) { return figure_json(moved ? x : std::nan("")); };
   const double mass = std::accumulate(points.mass[0], points.mass[0] + points.size(), 0.0);
   double mass_on_grid = 0.0;
   for (const NodeSums<Dim>& node : state.nodes.sums) mass_on_grid += node.mass;
@@ -118,12 +134,13 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
           {"steps", state.step},
           {"time_s", state.time},
           {"u_over_h", u_over_h()},
-          {"dt_s", state.step > 0 ? state.time / static_cast<double>(state.step) : simulation_.time_step()},
-          {"phi_peak_deg", peak->angle},
-          {"u_over_h_at_peak", peak->u_over_h},
-          {"phi_residual_deg", residual / counted},
-          {"kinetic_over_internal_max", kinetic_over_internal()},
-          {"mass_error", state.step > 0 ? mass_on_grid / mass - 1.0 : 0.0},
+          {"final_strain", values_.number("loading.final_strain")},
+          {"dt_s", once_moved(state.time / static_cast<double>(state.step))},
+          {"phi_peak_deg", once_moved(peak->angle)},
+          {"u_over_h_at_peak", once_moved(peak->u_over_h)},
+          {"phi_residual_deg", figure_json(residual_angle(peak->u_over_h))},
+          {"kinetic_over_internal_max", figure_json(kinetic_over_internal())},
+          {"mass_error", once_moved(mass_on_grid / mass - 1.0)},
           {"evaluated_twice", state.report.evaluated_twice},
           {"substepped", state.report.substepped},
           {"substeps", state.report.substeps},

@@ -4,6 +4,7 @@
 #include "apps/specimen.hpp"
 #include "core/base/thread_choice.hpp"
 #include "core/io/history.hpp"
+#include "core/io/snapshot.hpp"
 #include "core/io/vtk_writer.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -24,9 +25,11 @@ struct BiaxialRow {
 template <int Dim>
 class BiaxialRun {
 public:
-  /// Makes the specimen and writes the first row and frame. Throws InputError or RunError.
-  BiaxialRun(const Values& values, const Catalogue& catalogue, const std::filesystem::path& folder);
+  /// Makes the specimen; the folder receives nothing but places for frames. Throws InputError or RunError.
+  BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder);
 
+  /// Writes the first row and frame. Throws RunError.
+  void begin();
   /// Goes on until the final strain, or until `stop()` says so between two steps. Throws RunError.
   void advance(ThreadChoice& threads, const std::function<bool()>& stop,
                const std::function<void(const BiaxialRow&)>& at_row);
@@ -38,12 +41,15 @@ public:
   [[nodiscard]] double u_over_h() const { return u_ / values_.number("specimen.height"); }
   [[nodiscard]] Frame frame() const;   ///< the present
   [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
-  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 % [-].
+  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
+  /// that far [-].
   [[nodiscard]] double kinetic_over_internal() const;
-  /// The keys of summary.json that the run itself knows.
+  /// The keys of summary.json that the run itself knows; null for what it cannot have.
   [[nodiscard]] nlohmann::ordered_json summary() const;
 
 private:
+  /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].
+  [[nodiscard]] double residual_angle(double u_over_h_at_peak) const;
   void add_row();
   void add_frame();
 
@@ -51,7 +57,9 @@ private:
   double depth_; ///< 1 in two dimensions [m]
   Simulation<Dim> simulation_;
   std::function<double(double)> speed_;
-  History history_;
+  StartPlaces<Dim> start_;
+  std::filesystem::path folder_;
+  std::optional<History> history_;
   std::optional<SeriesWriter> series_;
   std::vector<BiaxialRow> rows_;
   double u_ = 0.0;         ///< displacement of the platen [m]

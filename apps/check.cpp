@@ -1,14 +1,31 @@
 #include "apps/biaxial_keys.hpp"
+#include "apps/biaxial_sense.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
 #include "apps/element_keys.hpp"
 #include "apps/key_tables.hpp"
+#include "apps/memory_needed.hpp"
+#include "apps/memory_there.hpp"
 #include "apps/messages.hpp"
 #include "core/io/case_text.hpp"
 
 #include <iostream>
 
 namespace riedel {
+
+namespace {
+
+/// A comment in the case; a warning where a run would be refused.
+void tell_memory(const Values& values, const Catalogue& catalogue) {
+  const MemoryNeeded need = memory_needed(values, catalogue);
+  std::cout << "# memory: about " << bytes_text(need.all()) << "\n";
+  const MemoryThere there = memory_there();
+  if (need.of_case() > there.bytes)
+    print_warning("a run needs about " + bytes_text(need.of_case()) + " of memory, and here " + there.by + " " +
+                  bytes_text(there.bytes));
+}
+
+} // namespace
 
 /// `riedel check`: all errors at once, or the case with every key in force. What it prints is a case itself. A case
 /// that names a test is one of `riedel element`.
@@ -25,8 +42,16 @@ int check(const Arguments& arguments) {
     return 0;
   }
   const CheckedCase checked = test ? element_case(given, catalogue) : biaxial_case(given, catalogue);
+  for (const std::string& note : checked.notes) print_note(note);
   for (const std::string& warning : checked.warnings) print_warning(warning);
-  std::cout << "# ok\n" << case_text(checked.keys, checked.values);
+  std::cout << "# ok\n";
+  if (!test) {
+    const ExpectedWork expected = expected_work_of(checked.values, catalogue);
+    for (const Finding& doubt : time_step_doubts(checked.values, expected)) print_warning(given.lines({doubt}));
+    std::cout << "# expected: " << expected_text(expected) << "\n";
+    tell_memory(checked.values, catalogue);
+  }
+  std::cout << case_text(checked.keys, checked.values);
   return 0;
 }
 

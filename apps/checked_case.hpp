@@ -16,7 +16,8 @@ struct Findings {
 struct CheckedCase {
   Keys keys;
   Values values;
-  std::vector<std::string> warnings; ///< each with its place
+  std::vector<std::string> warnings;   ///< each with its place
+  std::vector<std::string> notes = {}; ///< what a default has become, and why
 };
 
 /// @param check looks at all values together   @param explain adds to what is said of single keys

@@ -1,5 +1,7 @@
 #include "apps/command_line.hpp"
 
+#include "apps/commit.hpp"
+#include "apps/shell_word.hpp"
 #include "core/base/error.hpp"
 #include "core/io/suggestion.hpp"
 
@@ -89,11 +91,7 @@ bool asks_for_help(const Texts& words) {
 /// What the user typed, with quotes where a shell needs them.
 std::string typed(const Command& command, const Texts& words) {
   std::string line = "riedel " + command.name;
-  for (const std::string& word : words) {
-    const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
-    const char quote = word.find('\'') == std::string::npos ? '\'' : '"';
-    line += " " + (plain ? word : quote + word + quote);
-  }
+  for (const std::string& word : words) line += " " + shell_word(word);
   return line;
 }
 
@@ -240,6 +238,6 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
   return arguments;
 }
 
-std::string version() { return "riedel " RIEDEL_VERSION; }
+std::string version() { return std::string("riedel " RIEDEL_VERSION " (commit ") + commit() + ")"; }
 
 } // namespace riedel

@@ -6,6 +6,7 @@
 #include "apps/campaign/script.hpp"
 #include "apps/campaign/study.hpp"
 #include "apps/commands.hpp"
+#include "apps/failure.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/report/compare_report.hpp"
@@ -41,9 +42,16 @@ void print_runs(const Plan& plan) {
 int write_results(const Plan& plan, const fs::path& folder) {
   const std::vector<RunResult> results = results_of(plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
-  write_atomically(folder / "report.html", compare_report(plan.title, plan.command, results).html());
-  std::cout << results_text(results) << "written to " << folder.string() << ": results.csv, report.html";
-  for (const std::string& name : write_compare_pictures(plan.title, results, folder)) std::cout << ", " << name;
+  std::vector<std::string> written{"results.csv"};
+  try_to_write("the report", [&] {
+    write_atomically(folder / "report.html", compare_report(plan.title, plan.command, results).html());
+    written.emplace_back("report.html");
+  });
+  try_to_write("the pictures", [&] {
+    for (std::string& name : write_compare_pictures(plan.title, results, folder)) written.push_back(std::move(name));
+  });
+  std::cout << results_text(results) << "written to " << folder.string();
+  for (const std::string& name : written) std::cout << (&name == &written.front() ? ": " : ", ") << name;
   std::cout << "\n";
   for (const RunResult& result : results)
     if (result.status == RunStatus::damaged) print_warning(result.name + " is damaged: " + result.reason);
@@ -65,7 +73,7 @@ int compare(const Arguments& arguments) {
   }
   const fs::path folder = folder_of(arguments);
   const Interrupt interrupt;
-  open_campaign(folder, plan, arguments.force());
+  const OpenCampaign campaign = open_campaign(folder, plan, arguments.force());
   if (kind) {
     const fs::path script = write_script(*kind, plan, folder);
     std::cout << "written to " << script.string() << "; when its runs are over: riedel collect " << folder.string()
@@ -73,14 +81,16 @@ int compare(const Arguments& arguments) {
     return 0;
   }
   carry_out(plan, folder, {"compare", threads, [&] { return static_cast<bool>(interrupt); }});
-  const int code = write_results(plan, folder);
+  const int code = write_results(campaign.plan, folder);
   return interrupt ? interrupt.exit_code() : code;
 }
 
 int collect(const Arguments& arguments) {
   if (arguments.words.empty()) throw InputError("riedel collect needs the folder of a campaign");
   const fs::path folder = arguments.words.front();
-  return write_results(read_campaign(folder), folder);
+  const Plan plan = read_campaign(folder);
+  const FolderLock lock(folder, arguments.command); // or what a campaign writes at its end could be older than this
+  return write_results(plan, folder);
 }
 
 } // namespace riedel

@@ -4,10 +4,12 @@
 #include "apps/element_drivers.hpp"
 #include "apps/element_keys.hpp"
 #include "apps/element_pictures.hpp"
+#include "apps/failure.hpp"
 #include "apps/incremental_driver.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/report/legend.hpp"
 #include "apps/vary.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
@@ -75,12 +77,16 @@ std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, co
   return runs;
 }
 
+nlohmann::ordered_json summary_head(const Run& run) {
+  return {{"case", "element"},
+          {"test", run.checked.values.text("test")},
+          {"version", version()},
+          {"driver", run.checked.values.text("driver.kind")},
+          {"material", run.checked.values.text("material.model")}};
+}
+
 void write_summary(const Run& run, const ElementCurve& curve, double wall) {
-  nlohmann::ordered_json all{{"case", "element"},
-                             {"test", curve.test},
-                             {"version", version()},
-                             {"driver", run.checked.values.text("driver.kind")},
-                             {"material", run.checked.values.text("material.model")}};
+  nlohmann::ordered_json all = summary_head(run);
   all.update(element_summary(curve));
   all["wall_s"] = wall;
   write_atomically(run.folder / "summary.json", all.dump(2) + "\n");
@@ -108,6 +114,19 @@ ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interru
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   write_summary(run, curve, wall.count());
   return curve;
+}
+
+/// The same in a folder of its own; what ends the test by surprise is told in the summary.
+ElementCurve carry_out_safely(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt, bool imported) {
+  try {
+    return carry_out(run, catalogue, interrupt, imported);
+  } catch (const std::exception& error) {
+    nlohmann::ordered_json all = summary_head(run);
+    all["status"] = "failed";
+    all["reason"] = reason_of(error);
+    try_to_write("the summary", [&] { write_atomically(run.folder / "summary.json", all.dump(2) + "\n"); });
+    rethrow_as_failure();
+  }
 }
 
 void print_result(const NamedCurve& named) {
@@ -150,13 +169,17 @@ int element(const Arguments& arguments) {
   std::optional<Overlay> overlay;
   if (const auto path = arguments.text("reference")) overlay = read_overlay(*path, test);
 
-  prepare_output_folder(folder, arguments.force());
-  for (const Run& run : runs) prepare_output_folder(run.folder, arguments.force());
+  OutputFolder output(folder, arguments.command, arguments.force());
+  for (const Run& run : runs)
+    if (run.folder != folder) const OutputFolder can_be_had(run.folder, arguments.command, arguments.force());
   const Interrupt interrupt;
+  output.replace();
   std::vector<NamedCurve> curves;
   int code = 0;
   for (const Run& run : runs) {
-    curves.push_back({run.variant.label, carry_out(run, catalogue, interrupt, arguments.has("import"))});
+    std::optional<OutputFolder> of_run;
+    if (run.folder != folder) of_run.emplace(run.folder, arguments.command, arguments.force()).replace();
+    curves.push_back({run.variant.label, carry_out_safely(run, catalogue, interrupt, arguments.has("import"))});
     const ElementCurve& curve = curves.back().curve;
     print_result(curves.back());
     if (!curve.failure.empty()) {
@@ -166,8 +189,9 @@ int element(const Arguments& arguments) {
     if (interrupt) break;
   }
   std::vector<std::string> pictures;
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].label = legend_label(runs[i].variant.settings);
   if (runs.front().checked.values.flag("output.plots"))
-    pictures = draw_element(curves, overlay, subject_of(runs.front()), folder);
+    try_to_write("the pictures", [&] { pictures = draw_element(curves, overlay, subject_of(runs.front()), folder); });
   print_files(folder, runs.size() > 1, pictures);
   return interrupt ? interrupt.exit_code() : code;
 }

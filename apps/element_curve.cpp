@@ -1,7 +1,8 @@
 #include "apps/element_curve.hpp"
 
+#include "apps/figure_json.hpp"
+
 #include <Eigen/Eigenvalues>
-#include <nlohmann/json.hpp>
 
 namespace riedel {
 
@@ -79,8 +80,8 @@ nlohmann::ordered_json element_summary(const ElementCurve& curve) {
     summary["kinetic_J"] = kinetic;
     summary["internal_J"] = internal;
     summary["external_J"] = external;
-    summary["kinetic_over_internal_max"] = ratio;
-    summary["stress_spread_max"] = spread;
+    summary["kinetic_over_internal_max"] = figure_json(ratio);
+    summary["stress_spread_max"] = figure_json(spread);
   }
   return summary;
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
@@ -25,8 +26,10 @@ struct ElementRow {
 /// What tells whether a specimen stayed quasi-static and homogeneous.
 struct ElementEnergies {
   double kinetic = 0.0, internal = 0.0, external = 0.0; ///< at the end [J, or J/m in plane strain]
-  double kinetic_over_internal = 0.0;                   ///< greatest, from a strain of 0.5 % on [-]
-  double stress_spread = 0.0; ///< greatest distance of a point's stress from the mean, over the mean [-]
+  double kinetic_over_internal =
+      std::numeric_limits<double>::quiet_NaN(); ///< greatest, from a strain of 0.5 % on; not a number before [-]
+  double stress_spread = std::numeric_limits<double>::quiet_NaN(); ///< greatest distance of a point's stress from the
+                                                                   ///< mean, over the mean; looked at now and then [-]
 };
 
 struct ElementCurve {

@@ -23,7 +23,7 @@ void watch_energies(ElementEnergies& energies, const Simulation<Dim>& simulation
   energies.internal = now.internal;
   energies.external = now.external;
   if (strain >= settled && now.internal != 0.0)
-    energies.kinetic_over_internal = std::max(energies.kinetic_over_internal, now.kinetic / std::abs(now.internal));
+    energies.kinetic_over_internal = std::fmax(energies.kinetic_over_internal, now.kinetic / std::abs(now.internal));
 }
 
 template <int Dim>
@@ -51,7 +51,7 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
       rows.look(mean);
       if (curve.steps % steps_between_checks != 0) continue;
       curve.interrupted = watch.stop();
-      curve.energies->stress_spread = std::max(curve.energies->stress_spread, stress_spread(simulation, mean.stress));
+      curve.energies->stress_spread = std::fmax(curve.energies->stress_spread, stress_spread(simulation, mean.stress));
       watch_energies(*curve.energies, simulation, prescribed_strain(mean, v));
     }
     rows.write();

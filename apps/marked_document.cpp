@@ -18,6 +18,8 @@ std::string content(const std::filesystem::path& path) {
 
 MarkedDocument::MarkedDocument(std::filesystem::path path, const std::string& mark) : path_(std::move(path)) {
   const std::string text = content(path_);
+  std::error_code unknown;
+  if (auto there = std::filesystem::canonical(path_, unknown); !unknown) path_ = std::move(there); // links stay links
   const std::string opening = "<!-- " + mark + " -->\n", closing = "<!-- " + mark + " ends -->\n";
   const std::size_t first = text.find(opening), last = text.find(closing);
   if (first == std::string::npos || last == std::string::npos || last < first)

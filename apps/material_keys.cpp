@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace riedel {
 
@@ -48,17 +49,39 @@ double cohesion_pressure(const Values& v) {
   return has_parameters(v, {"cohesion_pressure"}) ? v.number("material.cohesion_pressure") : 0.0;
 }
 
+bool has_strength(const Values& material) {
+  return material.has("cohesion") || material.has("friction_angle") || material.has("phi_c");
+}
+
+Values weakened(const Values& material, double factor) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  Values weak = material;
+  for (const char* name : {"cohesion", "cohesion_residual", "cohesion_pressure", "tension_cutoff"})
+    if (material.has(name) && !material.is_text(name)) weak.set(name, factor * material.number(name));
+  for (const char* name :
+       {"friction_angle", "friction_angle_residual", "dilatancy_angle", "dilatancy_angle_residual", "phi_c"})
+    if (material.has(name) && !material.is_text(name))
+      weak.set(name, std::atan(factor * std::tan(degree * material.number(name))) / degree);
+  return weak;
+}
+
+bool has_limits_of_void_ratio(const Values& values) { return has_parameters(values, {"e_d0", "e_i0", "h_s", "n"}); }
+
+VoidRatioLimits limits_of_void_ratio(const Values& v, double pressure) {
+  const double p = pressure + cohesion_pressure(v);
+  const double shrink = std::exp(-std::pow(3.0 * p / v.number("material.h_s"), v.number("material.n")));
+  return {v.number("material.e_d0") * shrink, v.number("material.e_i0") * shrink};
+}
+
 void check_void_ratio(const Values& v, const std::string& key, const StartPressure& start,
                       std::vector<Finding>& errors) {
-  if (!has_parameters(v, {"e_d0", "e_i0", "h_s", "n"})) return;
-  const double p = start.p + cohesion_pressure(v);
-  const double shrink = std::exp(-std::pow(3.0 * p / v.number("material.h_s"), v.number("material.n")));
-  const double e_d = v.number("material.e_d0") * shrink, e_i = v.number("material.e_i0") * shrink;
+  if (!has_limits_of_void_ratio(v)) return;
+  const VoidRatioLimits limits = limits_of_void_ratio(v, start.p);
   const double e_0 = v.number(key);
-  if (e_0 > e_d && e_0 <= e_i) return;
+  if (limits.admit(e_0)) return;
   errors.push_back({{key, start.key, "material.e_d0", "material.e_i0", "material.h_s", "material.n"},
-                    exact_text(e_0) + " is out of range; the law allows (" + rounded(e_d) + ", " + rounded(e_i) +
-                        "] at the " + start.name});
+                    exact_text(e_0) + " is out of range; the law allows (" + rounded(limits.lower) + ", " +
+                        rounded(limits.upper) + "] at the " + start.name});
 }
 
 void check_limits_of_void_ratio(const Values& v, std::vector<Finding>& errors) {

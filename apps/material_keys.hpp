@@ -21,6 +21,22 @@ void append(Keys& keys, const Keys& more);
 /// is written. @throws InputError, PluginError
 void try_material(const CaseFile& given, const Values& values, const Catalogue& catalogue);
 
+/// Whether a law has parameters of strength: cohesion, friction_angle or phi_c. @param material without the section
+bool has_strength(const Values& material);
+/// The parameters of the same law with a strength of so many times: cohesions and the cut-off of tension times the
+/// factor, angles with the tangent times it. @param material without the section
+Values weakened(const Values& material, double factor);
+
+/// Whether a law has parameters that bound its void ratio.
+bool has_limits_of_void_ratio(const Values& values);
+/// Between which void ratios a law of that kind works at a mean pressure: more than `lower`, `upper` at most.
+struct VoidRatioLimits {
+  double lower, upper;
+  [[nodiscard]] bool admit(double e) const { return e > lower && e <= upper; }
+};
+/// At a pressure [Pa] and the cohesion pressure added to it.
+VoidRatioLimits limits_of_void_ratio(const Values& values, double pressure);
+
 /// e_d0 < e_c0 < e_i0, of laws that have such parameters.
 void check_limits_of_void_ratio(const Values& values, std::vector<Finding>& errors);
 /// A mean pressure p [Pa], the key that gives it, and what messages call it.

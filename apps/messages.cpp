@@ -23,6 +23,8 @@ void print(std::string_view kind, std::string_view colour, std::string_view text
       std::cerr << "\033[" << colour << "m" << kind << ":\033[0m ";
     else
       std::cerr << kind << ": ";
+    for (char& c : line) // words from files do not steer the terminal
+      if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f) c = '?';
     std::cerr << line << '\n';
   }
 }
@@ -31,5 +33,6 @@ void print(std::string_view kind, std::string_view colour, std::string_view text
 
 void print_error(std::string_view text) { print("error", "1;31", text); }
 void print_warning(std::string_view text) { print("warning", "1;33", text); }
+void print_note(std::string_view text) { print("note", "1;36", text); }
 
 } // namespace riedel

@@ -5,6 +5,7 @@
 #include "apps/campaign/results_table.hpp"
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/failure.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/marked_document.hpp"
 #include "apps/report/compare_report.hpp"
@@ -67,7 +68,7 @@ Page report(const std::string& command, const PaperResults& results, const Repro
     page.plot(part.plot, part.caption);
     for (const SpecimenFigure& specimens : found.specimens)
       if (specimens.figure == part.figure)
-        page.pictures(field_pictures(specimens.runs, "void_ratio", "void ratio e [-]", drawn_strain));
+        page.pictures(field_pictures(specimens.runs, drawn_fields.front(), drawn_strain));
   }
   if (results.all().empty()) return page;
   page.heading("The runs");
@@ -78,19 +79,20 @@ Page report(const std::string& command, const PaperResults& results, const Repro
 }
 
 /// The runs of Figures 7 to 10, done now or before; none where no figure needs any.
-std::vector<RunResult> runs_of(const Arguments& arguments, const CaseFile& given, const Figures& figures,
-                               const fs::path& folder, const Interrupt& interrupt) {
+struct PaperRuns {
+  OutputFolder folder; ///< held until the figures are drawn
+  std::vector<RunResult> results;
+};
+PaperRuns runs_of(const Arguments& arguments, const CaseFile& given, const Figures& figures, const fs::path& folder,
+                  const Interrupt& interrupt) {
   const std::vector<Variant> variants = paper_runs(given, figures);
-  if (variants.empty()) {
-    fs::create_directories(folder);
-    return {};
-  }
+  if (variants.empty()) return {.folder = OutputFolder(folder, arguments.command, true), .results = {}};
   const Plan plan = plan_of("The paper", arguments.command, variants);
-  open_campaign(folder, plan, arguments.force());
+  OpenCampaign campaign = open_campaign(folder, plan, arguments.force());
   carry_out(plan, folder, {"reproduce", arguments.threads().most, [&] { return static_cast<bool>(interrupt); }});
-  std::vector<RunResult> results = results_of(plan, folder);
+  const std::vector<RunResult> results = results_of(campaign.plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
-  return results;
+  return {.folder = std::move(campaign.folder), .results = results};
 }
 
 void print(const std::vector<Statement>& statements) {
@@ -115,17 +117,24 @@ int reproduce(const Arguments& arguments) {
   const fs::path folder = arguments.out(fs::path("results/reproduce") / scheme);
   const Interrupt interrupt;
 
-  const PaperResults results(runs_of(arguments, given, figures, folder, interrupt), figures, values);
+  const PaperRuns runs = runs_of(arguments, given, figures, folder, interrupt);
+  const PaperResults results(runs.results, figures, values);
   if (interrupt) return interrupt.exit_code();
   const Reproduction found = reproduction_of(results, catalogue);
-  const std::vector<std::string> pictures = write_figures(found.curves, found.specimens, folder);
   write_atomically(folder / "verdicts.md", statement_markdown(found.statements));
-  write_atomically(folder / "report.html", report(arguments.command, results, found).html());
+  std::vector<std::string> written{"verdicts.md"};
+  try_to_write("the report", [&] {
+    write_atomically(folder / "report.html", report(arguments.command, results, found).html());
+    written.emplace_back("report.html");
+  });
+  try_to_write("the pictures", [&] {
+    for (std::string& name : write_figures(found.curves, found.specimens, folder)) written.push_back(std::move(name));
+  });
   if (document) document->write(statement_markdown(found.statements));
 
   print(found.statements);
-  std::cout << "written to " << folder.string() << ": report.html, verdicts.md";
-  for (const std::string& name : pictures) std::cout << ", " << name;
+  std::cout << "written to " << folder.string();
+  for (const std::string& name : written) std::cout << (&name == &written.front() ? ": " : ", ") << name;
   std::cout << "\ntook "
             << duration_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << "\n";
   return 0;

@@ -3,11 +3,15 @@
 #include "apps/commands.hpp"
 #include "apps/completion.hpp"
 #include "apps/manual.hpp"
+#include "apps/failure.hpp"
 #include "apps/messages.hpp"
+#include "apps/standard_streams.hpp"
 #include "core/base/error.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <iostream>
+#include <new>
+#include <system_error>
 
 namespace {
 
@@ -60,13 +64,16 @@ int failed(std::string_view text, int code) {
 } // namespace
 
 int main(int argc, char** argv) {
+  secure_standard_streams();
   try {
     const int code = run({argv + 1, argv + argc});
-    if (!std::cout.flush()) throw RunError("cannot write to standard output");
+    if (!flush_standard_output()) throw RunError("cannot write to standard output");
     return code;
   } catch (const InputError& error) { return failed(error.what(), 2); } catch (const RunError& error) {
     return failed(error.what(), 3);
-  } catch (const PluginError& error) { return failed(error.what(), 4); } catch (const std::exception& error) {
+  } catch (const PluginError& error) { return failed(error.what(), 4); } catch (const std::bad_alloc& error) {
+    return failed(reason_of(error), 3);
+  } catch (const std::system_error& error) { return failed(error.what(), 3); } catch (const std::exception& error) {
     return failed(std::string("internal: ") + error.what(), 1);
   }
 }

@@ -3,14 +3,15 @@
 
 #include "core/io/frame.hpp"
 
-#include <cstdint>
-
 namespace riedel {
 
-/// The mean over the depth z of points that stand in layers, one layer's numbers after the other's and in the same
-/// order. Volume and mass are summed, per metre of depth; domains are those in the plane,
-/// and the points have no ids.
-/// @param depth of the slab [m]
-Frame mean_over_depth(const Frame& slab, std::int64_t layers, double depth);
+/// The mean over the depth z of points that stood behind one another at the start. Volume and mass are summed, per
+/// metre of depth; domains are those in the plane, and the points have neither ids nor bodies. Columns of points stand
+/// in the order of their first points.
+/// @param depth of the slab [m]   @throws InputError for a frame without displacements
+Frame mean_over_depth(const Frame& slab, double depth);
+
+/// Extent of the domains along z [m].
+double depth_of(const Frame& slab);
 
 } // namespace riedel

@@ -1,6 +1,7 @@
 #include "apps/shear_band.hpp"
 
 #include "apps/band_line.hpp"
+#include "core/base/parameters.hpp"
 
 #include <numbers>
 #include <utility>
@@ -8,6 +9,8 @@
 namespace riedel {
 
 namespace {
+
+constexpr double even_ratio = 0.5; ///< conjugate ratio above which two bands are an "x"
 
 template <class Value>
 double median(const BandSamples& samples, const Value& value) {
@@ -19,8 +22,8 @@ BandSamples collect(const BandFields& f) {
   for (std::size_t p = 0; p < f.x.size(); ++p) {
     const BandSample s{{f.x[p], f.y[p]},
                        f.volume[p],
-                       f.void_ratio[p],
-                       f.void_ratio[p] - f.initial_void_ratio[p],
+                       f.by_shear() ? no_figure : f.void_ratio[p],
+                       f.by_shear() ? f.shear[p] : f.void_ratio[p] - f.initial_void_ratio[p],
                        f.rotation[p],
                        f.shear[p],
                        f.rate.empty() ? 0.0 : f.rate[p]};
@@ -39,10 +42,15 @@ BandSamples collect(const BandFields& f) {
 }
 
 /// What dilates by more than three times the usual deviation belongs to a band, to which by the sense of its rotation.
+/// A zone so wide that it makes the deviation is what dilates by half of the most, and more.
 void assign_to_bands(BandSamples& samples) {
+  const auto volume = [](const BandSample& s) { return s.volume; };
   const double deviation = median(samples, [](const BandSample& s) { return std::abs(s.rise); });
+  const double most = quantile(
+      samples, 0.99, [](const BandSample& s) { return s.rise; }, volume);
+  const double least = std::min(3.0 * normal_deviation * deviation, 0.5 * most);
   for (BandSample& s : samples)
-    if (s.rise > 3.0 * normal_deviation * deviation) s.band = (s.rotation > 0.0) - (s.rotation < 0.0);
+    if (s.rise > least) s.band = (s.rotation > 0.0) - (s.rotation < 0.0);
 }
 
 double localisation_ratio(const BandSamples& samples) {
@@ -52,7 +60,7 @@ double localisation_ratio(const BandSamples& samples) {
   const std::size_t tenth = (shear.size() + 9) / 10;
   double top = 0.0;
   for (std::size_t k = shear.size() - tenth; k < shear.size(); ++k) top += shear[k] / static_cast<double>(tenth);
-  return top > 0.0 ? top / std::max(shear[shear.size() / 2], 1e-6 * top) : 0.0;
+  return top > 0.0 ? top / std::max(shear[shear.size() / 2], 1e-6 * top) : no_figure;
 }
 
 double dilated_volume(const BandSamples& samples, int band) {
@@ -107,20 +115,32 @@ std::pair<double, double> area_and_void_ratio(const BandSamples& samples, const 
     area += s.volume;
     sum += s.volume * s.e;
   }
-  return {area, area > 0.0 ? sum / area : 0.0};
+  return {area, area > 0.0 ? sum / area : no_figure};
 }
 
-/// Is it long enough for a band, and does it dilate?
-bool is_band(const BandSamples& samples, const ShearBand& band, const Width& width, const BandSettings& settings) {
+/// Does a measure exceed what it must, or come so near that another run of the same test may answer otherwise?
+enum class Answer { no, nearly, yes };
+Answer exceeds(double measure, double least) {
+  constexpr double near = 0.8;
+  return measure >= least ? Answer::yes : measure >= near * least ? Answer::nearly : Answer::no;
+}
+
+/// Strain that has gathered along the specimen: a band where that zone is slender, and diffuse where it is not, or
+/// where it is nearly too weak or too short to count.
+BandKind kind_of(const BandSamples& samples, const ShearBand& band, const Width& width, const BandSettings& settings) {
   const auto [leftmost, rightmost] = std::ranges::minmax(samples, {}, [](const BandSample& s) { return s.x[0]; });
-  return width.peak >= settings.least_dilation && band.straight_length_m > band.thickness_fwhm_m &&
-         band.straight_length_m > 0.4 * (rightmost.x[0] - leftmost.x[0]);
+  const Answer gathered =
+      std::min({exceeds(band.localisation_ratio, settings.least_ratio), exceeds(width.peak, settings.least_dilation),
+                exceeds(band.straight_length_m, 0.4 * (rightmost.x[0] - leftmost.x[0]))});
+  if (gathered == Answer::no) return BandKind::none;
+  const bool slender = band.straight_length_m >= settings.least_slenderness * band.thickness_fwhm_m;
+  return gathered == Answer::yes && slender ? BandKind::single : BandKind::diffuse;
 }
 
 /// Measures the band that turns as `side` says.
-ShearBand measure(const BandSamples& samples, int side, const BandSettings& settings) {
+ShearBand measure(const BandSamples& samples, int side, double ratio, const BandSettings& settings) {
   const BandSamples own = select(samples, [&](const BandSample& s) { return s.band == side; });
-  ShearBand band;
+  ShearBand band{.localisation_ratio = ratio};
   if (own.size() < 10) return band;
   const BandLine line = fit_line(own);
   if (!(line.end > line.begin)) return band; // no direction to speak of
@@ -135,12 +155,13 @@ ShearBand measure(const BandSamples& samples, int side, const BandSettings& sett
   band.straight_length_m = line.end - line.begin;
   band.thickness_fwhm_m = width.right - width.left;
   if (of_rate.peak > 0.0) band.thickness_rate_m = of_rate.right - of_rate.left;
-  band.found = is_band(samples, band, width, settings);
+  band.kind = kind_of(samples, band, width, settings);
 
   const double outside = median(samples, [](const BandSample& s) { return s.e; });
   band.threshold = outside < settings.threshold ? settings.threshold : outside + 0.5 * width.peak;
   const auto loose = [&](const BandSample& s) { return s.band == side && line.near(s) && s.e >= band.threshold; };
-  band.thickness_m = area_and_void_ratio(beside, loose).first / band.straight_length_m;
+  if (const double area = area_and_void_ratio(beside, loose).first; area > 0.0)
+    band.thickness_m = area / band.straight_length_m;
   if (settings.length > 0.0) band.thickness_over_lc = band.thickness_m / settings.length;
 
   const double middle = 0.5 * (width.left + width.right), quarter = 0.25 * band.thickness_fwhm_m;
@@ -154,23 +175,43 @@ ShearBand measure(const BandSamples& samples, int side, const BandSettings& sett
 } // namespace
 
 const char* name_of(BandKind kind) {
-  constexpr std::array names = {"none", "single", "x"};
+  constexpr std::array names = {"none", "diffuse", "single", "x"};
   return names[static_cast<std::size_t>(kind)];
 }
 
-ShearBand measure_shear_band(const BandFields& fields, const BandSettings& settings) {
+std::string ShearBand::doubt() const {
+  constexpr double far = 3.0;
+  std::string text;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+  if (kind == BandKind::none) return text;
+  const double least = std::fmin(thickness_m, std::fmin(thickness_fwhm_m, thickness_rate_m)),
+               most = std::fmax(thickness_m, std::fmax(thickness_fwhm_m, thickness_rate_m));
+  if (most >= far * least)
+    add("its widths by void ratio, at half maximum and by rate differ by a factor of " + short_text(most / least, 2) +
+        ", and none of them can be trusted");
+  if (found && std::abs(conjugate_ratio - even_ratio) <= 0.1)
+    add("the weaker of the two bands has " + short_text(conjugate_ratio, 2) +
+        " of the stronger one: \"single\" or \"x\" is a matter of chance");
+  return text;
+}
+
+ShearBand measure_shear_band(const BandFields& fields, const BandSettings& given) {
+  BandSettings settings = given;
+  if (fields.by_shear()) settings.least_dilation = 0.0;
   BandSamples samples = collect(fields);
   assign_to_bands(samples);
   const double right = dilated_volume(samples, 1), left = dilated_volume(samples, -1);
   const double ratio = localisation_ratio(samples);
 
   ShearBand band;
-  if (ratio >= settings.least_ratio) band = measure(samples, right >= left ? 1 : -1, settings);
-  if (!band.found) band = {};
-  band.localisation_ratio = ratio;
-  if (!band.found) return band;
+  if (exceeds(ratio, settings.least_ratio) != Answer::no)
+    band = measure(samples, right >= left ? 1 : -1, ratio, settings);
+  if (band.kind == BandKind::none) band = {.localisation_ratio = ratio};
+  band.by_shear = fields.by_shear();
+  if (band.kind == BandKind::none) return band;
   band.conjugate_ratio = std::min(left, right) / std::max(left, right);
-  band.kind = band.conjugate_ratio > 0.5 ? BandKind::x : BandKind::single;
+  band.found = band.kind == BandKind::single;
+  if (band.found && band.conjugate_ratio > even_ratio) band.kind = BandKind::x;
   return band;
 }
 

@@ -1,8 +1,11 @@
 #include "apps/specimen.hpp"
 
+#include "apps/material_keys.hpp"
 #include "apps/specimen_boundaries.hpp"
+#include "apps/specimen_patch.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/void_ratio_field.hpp"
+#include "apps/weak_zone.hpp"
 
 #include <numbers>
 
@@ -10,34 +13,19 @@ namespace riedel {
 
 namespace {
 
-/// The loose patch.
-struct Imperfection {
-  Vec<2> centre, size;
-  double void_ratio;
+/// The case's law; with a strength of its own in the patch where that is another.
+std::unique_ptr<Material> make_law(const Values& v, const Catalogue& catalogue) {
+  const auto& law = catalogue.materials.find(v.text("material.model"));
+  const Values material = v.section("material");
+  const double factor = v.number("imperfection.factor");
+  if (factor == 1.0 || SpecimenPatch(v).is_empty()) return law.make(material);
+  return std::make_unique<WeakZoneLaw>(law.make(material), law.make(weakened(material, factor)));
+}
 
-  explicit Imperfection(const Values& v)
-      : centre(v.numbers("imperfection.centre")[0] * v.number("specimen.width"),
-               v.numbers("imperfection.centre")[1] * v.number("specimen.height")),
-        size(v.numbers("imperfection.size")[0], v.numbers("imperfection.size")[1]),
-        void_ratio(v.number("imperfection.void_ratio")) {}
-
-  /// Through the whole depth. Half open, so that a patch of whole cells takes that many rows of points wherever its
-  /// edges fall.
-  template <int Dim>
-  [[nodiscard]] bool contains(const Vec<Dim>& x) const {
-    const double round_off = 1e-9;
-    for (int a = 0; a < 2; ++a) {
-      const double from = centre[a] - 0.5 * size[a] - round_off;
-      if (x[a] < from || x[a] >= from + size[a]) return false;
-    }
-    return true;
-  }
-};
-
-/// Void ratio, mass, and stresses in equilibrium with the pressure and the specimen's own weight.
+/// Void ratio, strength, mass, and stresses in equilibrium with the pressure and the specimen's own weight.
 template <int Dim>
 void set_initial_state(Body<Dim>& body, const Values& v) {
-  const Imperfection patch(v);
+  const SpecimenPatch patch(v);
   const VoidRatioField field(v);
   const int e = state_column(body.material->states(), "void_ratio");
   const double e_0 = v.number("specimen.void_ratio"), pressure = v.number("loading.confining_pressure");
@@ -48,9 +36,12 @@ void set_initial_state(Body<Dim>& body, const Values& v) {
     return body.material->density(state);
   };
   const double weight = density_at(e_0) * v.number("loading.gravity");
+  const int zone = state_column(body.material->states(), WeakZoneLaw::zone);
   for (Index p = 0; p < points.size(); ++p) {
     const Vec<Dim> x = points.position_of(p);
-    const double void_ratio = patch.contains(x) ? patch.void_ratio : e_0 + field(x.template head<2>());
+    const bool in_patch = patch.contains(x);
+    const double void_ratio = in_patch ? patch.void_ratio : e_0 + field(x.template head<2>());
+    if (zone >= 0) state[static_cast<std::size_t>(zone)] = in_patch ? 1.0 : 0.0;
     points.mass[0][p] = density_at(void_ratio) * points.volume[0][p];
     for (std::size_t s = 0; s < state.size(); ++s) points.state[static_cast<int>(s)][p] = state[s];
     points.stress[0][p] = points.stress[2][p] = -pressure;
@@ -82,12 +73,11 @@ Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
 
   const SpecimenGeometry<Dim> specimen(v, *model.scheme);
   model.gravity.template head<2>() = -v.number("loading.gravity") * specimen.turn.rotation.col(1);
-  const std::string& law = v.text("material.model");
   State<Dim> state;
   state.grid = specimen.grid();
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "specimen";
-  body.material = catalogue.materials.find(law).make(v.section("material"));
+  body.material = make_law(v, catalogue);
   fill_box<Dim>(body.points, specimen.cells, specimen.cell, static_cast<Index>(v.integer("specimen.points_per_cell")),
                 Vec<Dim>::Zero(), state_components(body.material->states()));
   set_initial_state(body, v);

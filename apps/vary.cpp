@@ -1,5 +1,6 @@
 #include "apps/vary.hpp"
 
+#include "apps/file_name.hpp"
 #include "core/base/error.hpp"
 
 #include <algorithm>
@@ -29,13 +30,6 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Letters that every file system takes.
-std::string file_name(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return std::string_view("/\\:*?\"'<>| ").find(c) != std::string_view::npos; }, '_');
-  return text;
-}
-
 std::string last_word(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 /// The last word of the key, or all of it where another key ends alike.
@@ -47,7 +41,7 @@ std::string short_name(const std::string& key, const std::vector<Variation>& var
 Variant with(const Variant& base, const std::string& key, const std::string& value, const std::string& called) {
   Variant variant = base;
   variant.given.override_with(key + "=" + value, "--vary");
-  variant.name += (variant.name.empty() ? "" : ",") + file_name(called + "=" + value);
+  variant.name += (variant.name.empty() ? "" : ",") + called + "=" + value;
   variant.label += (variant.label.empty() ? "" : ", ") + (key == "scheme" ? value : called + " = " + value);
   variant.settings.emplace_back(key, value);
   return variant;
@@ -90,6 +84,8 @@ std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variat
         crossed.push_back(with(variant, variation.key, value, short_name(variation.key, variations)));
     all = std::move(crossed);
   }
+  if (!variations.empty())
+    for (Variant& variant : all) variant.name = file_name_for(variant.name);
   return all;
 }
 

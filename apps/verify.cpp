@@ -1,6 +1,7 @@
 /// riedel verify: problems with known answers under every scheme, and the orders of convergence.
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/failure.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/marked_document.hpp"
 #include "apps/messages.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <omp.h>
 #include <optional>
 
@@ -53,12 +55,20 @@ Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names&
   return studies;
 }
 
-void write_results(const Studies& studies, const std::filesystem::path& folder) {
+void write_results(const Studies& studies, const std::string& status, OutputFolder& output) {
+  const std::filesystem::path& folder = output.path();
   const std::string tables = verify_tables(studies);
+  output.replace(); // not before there is something to take the place of what was there
   write_atomically(folder / "verify.md", tables);
   write_atomically(folder / "verify.csv", verify_csv(studies));
-  draw_verify(studies, drawn(studies), folder);
-  std::cout << tables << "\nwritten to " << folder.string() << ": verify.md, verify.csv, convergence.png, cost.png\n";
+  write_atomically(folder / "summary.json", verify_summary(studies, status).dump(2) + "\n");
+  std::string pictures;
+  try_to_write("the pictures", [&] {
+    draw_verify(studies, drawn(studies), folder);
+    pictures = ", convergence.png, cost.png";
+  });
+  std::cout << tables << "\nwritten to " << folder.string() << ": verify.md, verify.csv, summary.json" << pictures
+            << "\n";
   for (const VerifyStudy& each : studies)
     if (const std::string missed = each.missed(); !missed.empty())
       print_warning(each.problem->name + " under " + each.scheme + ": " + missed);
@@ -74,13 +84,12 @@ int verify(const Arguments& arguments) {
   const int points = arguments.integer("points", 0, 1, 10);
   std::optional<MarkedDocument> document;
   if (const auto path = arguments.text("document")) document.emplace(*path, "riedel verify");
-  const std::filesystem::path folder = arguments.out("results/verify");
   const Interrupt interrupt;
-  prepare_output_folder(folder, arguments.force());
+  OutputFolder output(arguments.out("results/verify"), arguments.command, arguments.force());
   omp_set_num_threads(1); // small problems; times are those of one thread
 
   const Studies studies = carry_out(catalogue, schemes, problems, points, interrupt);
-  if (!studies.empty()) write_results(studies, folder);
+  if (!studies.empty()) write_results(studies, interrupt ? "interrupted" : "done", output);
   if (interrupt) return interrupt.exit_code();
   if (document) document->write(verify_tables(studies));
   return 0;

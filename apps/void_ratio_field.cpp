@@ -47,4 +47,23 @@ double VoidRatioField::operator()(const Vec<2>& x) const {
   return amplitude_ * sum;
 }
 
+/// cos(a + b) = cos a cos b − sin a sin b: a product of two matrices.
+Eigen::MatrixXd VoidRatioField::on_lattice(std::span<const double> x, std::span<const double> y) const {
+  const auto modes = static_cast<Index>(modes_.size()), rows = static_cast<Index>(x.size()),
+             columns = static_cast<Index>(y.size());
+  Eigen::MatrixXd along_x(rows, 2 * modes), along_y(2 * modes, columns);
+  for (Index m = 0; m < modes; ++m) {
+    const Mode& mode = modes_[static_cast<std::size_t>(m)];
+    for (Index i = 0; i < rows; ++i) {
+      along_x(i, m) = std::cos(mode.k[0] * x[static_cast<std::size_t>(i)]);
+      along_x(i, modes + m) = -std::sin(mode.k[0] * x[static_cast<std::size_t>(i)]);
+    }
+    for (Index j = 0; j < columns; ++j) {
+      along_y(m, j) = std::cos(mode.k[1] * y[static_cast<std::size_t>(j)] + mode.phase);
+      along_y(modes + m, j) = std::sin(mode.k[1] * y[static_cast<std::size_t>(j)] + mode.phase);
+    }
+  }
+  return amplitude_ * (along_x * along_y);
+}
+
 } // namespace riedel

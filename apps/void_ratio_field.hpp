@@ -4,6 +4,7 @@
 #include "core/base/parameters.hpp"
 #include "core/base/types.hpp"
 
+#include <span>
 #include <vector>
 
 namespace riedel {
@@ -19,6 +20,10 @@ public:
   [[nodiscard]] bool is_uniform() const { return modes_.empty(); }
   /// What the void ratio at a place has above the mean [-].
   [[nodiscard]] double operator()(const Vec<2>& x) const;
+  /// The same at all (x_i, y_j), but for round-off, much faster. @return a row for each x, a column for each y
+  [[nodiscard]] Eigen::MatrixXd on_lattice(std::span<const double> x, std::span<const double> y) const;
+  /// What the field exceeds nowhere, up or down [-].
+  [[nodiscard]] double bound() const { return amplitude_ * static_cast<double>(modes_.size()); }
 
 private:
   struct Mode {

@@ -1,6 +1,6 @@
 #include "nonlocal/gauss.hpp"
 
-#include "core/base/parallel.hpp"
+#include "nonlocal/rows.hpp"
 
 #include <numeric>
 
@@ -119,7 +119,7 @@ void GaussAverager<Dim>::lay_runs(const NeighbourRows& rows) {
   const Index teams = teams_of(points_);
   first_run_.assign(static_cast<std::size_t>(teams) + 1, 0);
   std::vector<std::vector<Index>> parts(static_cast<std::size_t>(blocks_of(teams)));
-  for_each_block(teams, [&](Range block) {
+  for_each_block_that_may_throw(teams, [&](Range block) {
     std::vector<Index>& part = parts[block.begin / block_size];
     for (Index t = block.begin; t < block.end; ++t) {
       const std::size_t before = part.size();

@@ -4,6 +4,7 @@
 #include "core/base/parallel.hpp"
 #include "core/interface/neighbour_search.hpp"
 
+#include <exception>
 #include <numeric>
 
 namespace riedel {
@@ -60,13 +61,28 @@ private:
   std::array<AlignedVector<double>, Dim> near_; ///< positions of the candidates, padded to whole packs [m]
 };
 
+/// `for_each_block` for a body that may throw, as for want of memory: one of what was thrown is thrown at the end.
+template <class Body>
+void for_each_block_that_may_throw(Index points, const Body& body) {
+  std::exception_ptr thrown;
+  for_each_block(points, [&](Range block) {
+    try {
+      body(block);
+    } catch (...) {
+#pragma omp critical(riedel_thrown_by_a_block)
+      if (!thrown) thrown = std::current_exception();
+    }
+  });
+  if (thrown) std::rethrow_exception(thrown);
+}
+
 /// Fills the rows, blocks of points at once; they do not depend on the number of threads.
 template <int Dim, class Candidates>
 void fill_rows(const Columns& positions, double radius, NeighbourRows& rows, const Candidates& candidates) {
   const Index points = positions.size();
   std::vector<std::vector<Index>> parts(static_cast<std::size_t>(blocks_of(points)));
   rows.start.assign(static_cast<std::size_t>(points) + 1, 0);
-  for_each_block(points, [&](Range block) {
+  for_each_block_that_may_throw(points, [&](Range block) {
     RowMaker<Dim> maker(positions, radius);
     maker.append(block, rows.start.data() + block.begin + 1, candidates);
     parts[block.begin / block_size] = maker.take();

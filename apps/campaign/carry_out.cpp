@@ -1,6 +1,10 @@
 #include "apps/campaign/carry_out.hpp"
 
 #include "apps/campaign/child_process.hpp"
+#include "apps/failure.hpp"
+#include "apps/memory_there.hpp"
+#include "apps/messages.hpp"
+#include "apps/output_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/progress.hpp"
@@ -17,12 +21,6 @@ namespace riedel {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Did a run fail for want of space, which says nothing about the run itself?
-bool lacked_space(std::string_view message) {
-  return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG},
-                             [&](int error) { return message.find(std::strerror(error)) != std::string_view::npos; });
-}
 
 /// The last error among a run's messages, without the program's name; empty if there is none.
 std::string last_error(const std::string& messages) {
@@ -63,7 +61,8 @@ struct Worker {
 
   /// Never all of it: files are still to be written then.
   [[nodiscard]] double share_done() const {
-    return std::clamp(last_strain(folder / "history.csv") / run.final_strain, 0.0, 0.99);
+    const double share = last_strain(folder / "history.csv") / run.final_strain;
+    return share > 0.0 ? std::min(share, 0.99) : 0.0; // also where there is no number
   }
 };
 
@@ -74,7 +73,7 @@ public:
       if (is_open(plan.runs[i])) waiting_.push_back(&plan.runs[i]);
     for (const PlannedRun* run : waiting_) all_work_ += run->work;
     runs_ = waiting_.size();
-    at_once_ = std::clamp(runs_, std::size_t{1}, static_cast<std::size_t>(how.threads));
+    at_once_ = std::clamp(std::min(runs_, that_fit()), std::size_t{1}, static_cast<std::size_t>(how.threads));
     threads_each_ = how.threads / static_cast<int>(at_once_);
   }
 
@@ -95,20 +94,23 @@ public:
 private:
   [[nodiscard]] bool is_open(const PlannedRun& run) const {
     const RunResult result = result_of(run, folder_);
-    if (result.status == RunStatus::failed) return lacked_space(result.reason);
+    if (result.status == RunStatus::failed) return lacked_means(result.reason);
     return result.status != RunStatus::done;
+  }
+
+  /// Runs that the machine's memory holds at the same time.
+  [[nodiscard]] std::size_t that_fit() const {
+    double most = 0.0;
+    for (const PlannedRun* run : waiting_) most = std::max(most, run->memory);
+    const double fit = memory_there().bytes / std::max(most, 1.0);
+    return fit < static_cast<double>(runs_) ? static_cast<std::size_t>(fit) : runs_;
   }
 
   void start_next() {
     const PlannedRun& run = *waiting_.front();
+    waiting_.erase(waiting_.begin());
     const fs::path folder = folder_ / run.name, given = folder / "case.toml";
-    try {
-      fs::create_directories(folder);
-      fs::remove(folder / "summary.json"); // of an earlier try: a run that has one counts as ended
-    } catch (const fs::filesystem_error& error) {
-      throw RunError(folder.string() + ": cannot be made ready: " + error.code().message());
-    }
-    write_atomically(given, run.case_text);
+    if (!make_ready(folder, run)) return;
     const std::vector<std::string> words{"biaxial",
                                          given.string(),
                                          "--out",
@@ -117,15 +119,37 @@ private:
                                          "--threads",
                                          "1-" + std::to_string(threads_each_)};
     workers_.emplace_back(run, folder, words);
-    waiting_.erase(waiting_.begin());
+  }
+
+  /// Leaves the case in the folder and no summary: a run that has one counts as ended. False when another process
+  /// writes there.
+  [[nodiscard]] bool make_ready(const fs::path& folder, const PlannedRun& run) const {
+    try {
+      if (fs::is_symlink(folder)) throw RunError(folder.string() + ": is a symbolic link, which no run follows");
+      fs::create_directories(folder);
+      const FolderLock lock(folder, how_.command);
+      remove_file(folder / "summary.json");
+      write_atomically(folder / "case.toml", run.case_text);
+      return true;
+    } catch (const fs::filesystem_error& error) {
+      throw RunError(folder.string() + ": cannot be made ready: " + error.code().message());
+    } catch (const InputError& held) {
+      if (std::string_view(held.what()).find(FolderLock::refusal) == std::string_view::npos) throw;
+      print_warning(held.what());
+      return false;
+    }
   }
 
   bool has_ended(Worker& worker) {
     if (worker.process.running()) return false;
     done_work_ += worker.run.work;
     const std::string error = last_error(worker.process.messages());
+    if (error.find(FolderLock::refusal) != std::string::npos) { // somebody else runs it now
+      print_warning(error);
+      return true;
+    }
     if (worker.process.ending() != 0 && lacked_space(error)) {
-      fs::remove(worker.folder / "summary.json"); // it is to run again
+      remove_file(worker.folder / "summary.json"); // it is to run again
       throw RunError(worker.folder.string() + ": " + error +
                      "; the campaign stops here: finished runs stay, and it goes on when it is started again");
     }

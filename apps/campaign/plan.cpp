@@ -1,41 +1,20 @@
 #include "apps/campaign/plan.hpp"
 
 #include "apps/biaxial_keys.hpp"
+#include "apps/biaxial_sense.hpp"
 #include "apps/catalogue.hpp"
-#include "apps/specimen_geometry.hpp"
+#include "apps/memory_needed.hpp"
 #include "core/base/error.hpp"
 #include "core/io/case_text.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 #include <set>
 
 namespace riedel {
 
 namespace {
-
-/// A point's step without neighbours takes about as long as looking at so many of them.
-constexpr double neighbours_of_a_step = 15.0 * 8.0;
-constexpr double usual_wave_speed = 300.0; ///< of dense sand under load [m/s]
-
-double expected_work(const Values& v) {
-  const auto& cells = v.integers("grid.cells");
-  const double nx = static_cast<double>(cells[0]), ny = static_cast<double>(cells[1]);
-  const double width = v.number("specimen.width"), height = v.number("specimen.height");
-  const double per_direction = v.number("specimen.points_per_cell");
-  const bool slab = dimensions_of_biaxial(v) == 3;
-  double points = nx * ny * per_direction * per_direction;
-  if (slab) points *= v.number("specimen.depth_cells") * per_direction;
-  const double cell = std::min(width / nx, height / ny);
-  const double step = v.is_text("time.step") ? v.number("time.cfl") * cell / usual_wave_speed : v.number("time.step");
-  const double steps = v.number("loading.final_strain") * height / v.number("loading.speed") / step;
-  const double reach = 3.0 * v.number("nonlocal.length"),
-               area = width * height / (nx * ny) / per_direction / per_direction;
-  const double neighbours = std::min(std::numbers::pi * reach * reach / area, points);
-  return points * steps * (slab ? 3.0 : 1.0) * (1.0 + neighbours / neighbours_of_a_step);
-}
 
 /// The names of all keys that one variant or another has: a law brings its own.
 std::set<std::string> known_keys(const std::vector<Variant>& variants) {
@@ -68,12 +47,14 @@ PlannedRun planned(const Variant& variant, std::vector<std::string>& warnings) {
   PlannedRun run{
       .name = variant.name, .label = variant.label, .settings = variant.settings, .case_text = "", .refusal = ""};
   try {
-    const CheckedCase checked = biaxial_case(variant.given, inventory(variant.given).catalogue);
+    const Catalogue catalogue = inventory(variant.given).catalogue;
+    const CheckedCase checked = biaxial_case(variant.given, catalogue);
     for (const std::string& warning : checked.warnings)
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     run.case_text = case_text(checked.keys, checked.values);
-    run.work = expected_work(checked.values);
+    run.work = expected_work_of(checked.values, inventory(variant.given).catalogue).work;
     run.final_strain = checked.values.number("loading.final_strain");
+    run.memory = memory_needed(checked.values, catalogue).of_case();
   } catch (const InputError& error) { run.refusal = error.what(); } catch (const PluginError& error) {
     run.refusal = error.what();
   }

@@ -14,6 +14,7 @@ struct PlannedRun {
   std::string refusal;       ///< why it cannot begin; empty when it can
   double work = 0.0;         ///< expected, in points times steps times what each takes beside the others [-]
   double final_strain = 0.0; ///< u/h0 at which it ends [-]
+  double memory = 0.0;       ///< needed beside the program itself [bytes]; 0: not known
 };
 
 struct Plan {

@@ -2,15 +2,21 @@
 #pragma once
 
 #include "apps/campaign/plan.hpp"
-
-#include <filesystem>
+#include "apps/output_folder.hpp"
 
 namespace riedel {
 
-/// Makes the folder hold this campaign. An empty or new folder receives it; one that holds the same runs already is
-/// taken up where it was left. With `force`, what another campaign left is removed.
-/// @throws InputError that names the other campaign, or the other results, that the folder holds
-void open_campaign(const std::filesystem::path& folder, const Plan& plan, bool force);
+/// A folder that holds a campaign, this process's own while it lives.
+struct OpenCampaign {
+  OutputFolder folder;
+  Plan plan; ///< the runs that were asked for, and behind them those that the folder held before
+};
+
+/// Makes the folder hold this campaign. An empty or new folder receives it. One that holds a campaign with the same
+/// case in a run of the same name takes the other runs in as well: what is finished stays, whatever more is asked for.
+/// With `force`, what another campaign left is removed.
+/// @throws InputError that names the other campaign, or the other results, that the folder holds, or who writes to it
+OpenCampaign open_campaign(const std::filesystem::path& folder, const Plan& plan, bool force);
 
 /// @throws InputError when the folder holds none, or one whose record cannot be understood
 Plan read_campaign(const std::filesystem::path& folder);

@@ -1,5 +1,8 @@
 #include "apps/campaign/results_table.hpp"
 
+#include "apps/csv_cell.hpp"
+#include "apps/figure_json.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -11,13 +14,19 @@ namespace {
 using nlohmann::ordered_json;
 using Row = std::vector<Setting>; ///< column, cell
 
+/// A figure that a run does not have is an empty cell.
+std::string text_of(const ordered_json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 /// The figures of a summary; inner ones have the names of both.
 void flatten(const ordered_json& json, const std::string& prefix, Row& row) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object())
       flatten(value, prefix + key + ".", row);
     else
-      row.emplace_back(prefix + key, value.is_string() ? value.get<std::string>() : value.dump());
+      row.emplace_back(prefix + key, text_of(value));
   }
 }
 
@@ -29,13 +38,6 @@ Row row_of(const RunResult& result) {
   for (Setting& figure : figures) // a scheme that is varied stands in its column already
     if (std::ranges::find(row, figure.first, &Setting::first) == row.end()) row.push_back(std::move(figure));
   return row;
-}
-
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string figure(const ordered_json& json, double unit, int digits) {
@@ -51,9 +53,11 @@ std::string outcome_text(const RunResult& result) {
   std::string text = "peak " + figure(s.at("phi_peak_deg"), 1.0, 2) + " deg at " +
                      figure(s.at("u_over_h_at_peak"), 100.0, 2) + " %, residual " +
                      figure(s.at("phi_residual_deg"), 1.0, 2) + " deg, ";
-  text += band.at("found").get<bool>() ? "band at " + figure(band.at("inclination_deg"), 1.0, 1) + " deg, " +
-                                             figure(band.at("thickness_fwhm_m"), 1e3, 2) + " mm"
-                                       : "no band";
+  const std::string kind = text_in(band, "kind", "none");
+  text += kind != "none"
+              ? (kind == "diffuse" ? "diffuse zone at " : "band at ") + figure(band.at("inclination_deg"), 1.0, 1) +
+                    " deg, " + figure(band.at("thickness_fwhm_m"), 1e3, 2) + " mm"
+              : "no band";
   return text + ", " + figure(s.at("wall_s"), 1.0, 1) + " s";
 }
 
@@ -68,13 +72,13 @@ std::string results_csv(const std::vector<RunResult>& results) {
       if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
   }
   std::string text;
-  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + cell(column);
+  for (const std::string& column : columns) text += (text.empty() ? "" : ",") + csv_cell(column);
   text += "\n";
   for (const Row& row : rows) {
     std::string line;
     for (const std::string& column : columns) {
       const auto found = std::ranges::find(row, column, &Setting::first);
-      line += (&column == &columns.front() ? "" : ",") + (found == row.end() ? std::string() : cell(found->second));
+      line += (&column == &columns.front() ? "" : ",") + (found == row.end() ? std::string() : csv_cell(found->second));
     }
     text += line + "\n";
   }

@@ -1,12 +1,13 @@
 #include "apps/campaign/run_result.hpp"
 
+#include "apps/campaign/json_text.hpp"
 #include "apps/command_line.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/input_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <cmath>
 
 namespace riedel {
 
@@ -15,34 +16,60 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// What tables and pages take for granted of a run that is done.
+void check_summary(const RunResult& result) {
+  const ordered_json& summary = result.summary;
+  const std::string place = (result.folder / "summary.json").string() + ": ";
+  for (const char* figure : {"phi_peak_deg", "u_over_h_at_peak", "phi_residual_deg", "wall_s"})
+    if (const ordered_json& value = summary.at(figure); !value.is_number() && !value.is_null())
+      throw InputError(place + figure + " is no number");
+  const ordered_json& band = summary.at("band");
+  if (!band.at("found").is_boolean()) throw InputError(place + "band.found is neither true nor false");
+  if (!band.at("kind").is_string()) throw InputError(place + "band.kind is no text");
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+void check_history(const Table& history) {
+  for (const char* column : {"step", "time_s", "u_over_h", "phi_mob_deg"})
+    if (!history.has(column)) throw InputError("has no column " + std::string(column));
+  for (const char* column : {"time_s", "u_over_h"}) {
+    const std::vector<double>& values = history[column];
+    if (!std::ranges::all_of(values, [](double x) { return std::isfinite(x); }) || !std::ranges::is_sorted(values))
+      throw InputError("column " + std::string(column) + " does not rise from number to number");
+  }
+}
+
+/// Whole, or without columns.
+Table history_of(const RunResult& result) {
+  const fs::path file = result.folder / "history.csv";
+  Table history = read_table(file);
+  try {
+    check_history(history);
+  } catch (const InputError& error) { throw InputError(file.string() + ": " + error.what()); }
+  return history;
+}
 
 /// Status, reason and history of a run that has left a summary.
 void read_results(RunResult& result) {
   const std::string status = result.summary.at("status");
-  const fs::path history = result.folder / "history.csv";
   if (status == "failed") {
     result.status = RunStatus::failed;
     result.reason = first_line(result.summary.at("reason"));
     try {
-      result.history = read_table(history);
+      result.history = history_of(result);
     } catch (const InputError&) {} // it may have failed before a row was written, or in the middle of one
     return;
   }
+  if (status != "done" && status != "interrupted")
+    throw InputError((result.folder / "summary.json").string() + ": '" + status + "' is no status of a run");
   if (status == "done") {
     result.status = RunStatus::done;
-    (void)result.summary.at("band").at("found");
+    check_summary(result);
   } else {
     result.reason = status + " before its end";
   }
-  result.history = read_table(history);
+  result.history = history_of(result);
 }
 
 void mark_damaged(RunResult& result, const std::string& why) {
@@ -68,18 +95,18 @@ RunResult result_of(const PlannedRun& run, const fs::path& campaign) {
   }
   const fs::path summary = result.folder / "summary.json", given = result.folder / "case.toml";
   result.reason = "not run, or stopped before its end";
-  if (!fs::exists(summary)) return result;
-  if (content_of(given) != run.case_text) {
-    mark_damaged(result, given.string() + ": is not the case of this campaign");
-    return result;
-  }
-  result.reason.clear();
+  std::error_code unknown;
+  if (!fs::exists(summary, unknown)) return result;
   try {
-    result.summary = ordered_json::parse(content_of(summary));
+    if (read_input_file(given) != run.case_text)
+      throw InputError(given.string() + ": is not the case of this campaign");
+    result.reason.clear();
+    result.summary = read_json(summary);
+    if (!result.summary.is_object()) throw InputError(summary.string() + ": cannot be understood: is no object");
     read_results(result);
   } catch (const ordered_json::exception& error) {
     mark_damaged(result, summary.string() + ": cannot be understood: " + error.what());
-  } catch (const InputError& error) { mark_damaged(result, error.what()); }
+  } catch (const std::exception& error) { mark_damaged(result, error.what()); }
   return result;
 }
 

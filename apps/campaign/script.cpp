@@ -1,5 +1,6 @@
 #include "apps/campaign/script.hpp"
 
+#include "apps/shell_word.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 
@@ -9,14 +10,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One word of a shell, whatever it holds.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
+/// Calls what RIEDEL names, or else this program.
+/// @param how "exec " or nothing
+std::string call(const std::string& how) {
+  return "program=" + shell_word(fs::read_symlink("/proc/self/exe").string()) + " && " + how +
+         "\"${RIEDEL:-$program}\" biaxial ";
 }
 
-std::string program() { return "\"${RIEDEL:-" + fs::read_symlink("/proc/self/exe").string() + "}\""; }
+/// A place that is given whole; the slash lets any name be a word.
+std::string word_of(const fs::path& folder) { return shell_word((folder / "").string()); }
 
 std::vector<fs::path> write_cases(const Plan& plan, const fs::path& folder) {
   std::vector<fs::path> folders;
@@ -31,7 +33,7 @@ std::vector<fs::path> write_cases(const Plan& plan, const fs::path& folder) {
 std::string slurm_script(const std::vector<fs::path>& folders, const fs::path& campaign) {
   std::string text = "#!/bin/bash\n"
                      "# sbatch " +
-                     quoted((campaign / "campaign.slurm").string()) +
+                     shell_word((campaign / "campaign.slurm").string()) +
                      "\n"
                      "#SBATCH --job-name=riedel\n"
                      "#SBATCH --array=0-" +
@@ -40,23 +42,21 @@ std::string slurm_script(const std::vector<fs::path>& folders, const fs::path& c
                      "#SBATCH --ntasks=1\n"
                      "#SBATCH --cpus-per-task=1\n"
                      "runs=(\n";
-  for (const fs::path& folder : folders) text += "  " + quoted(folder.string()) + "\n";
+  for (const fs::path& folder : folders) text += "  " + word_of(folder) + "\n";
   return text +
          ")\n"
          "run=${runs[$SLURM_ARRAY_TASK_ID]}\n"
          "cd " +
-         quoted(fs::current_path().string()) +
-         "\n"
-         "exec " +
-         program() + " biaxial \"$run/case.toml\" --out \"$run\" --force --threads \"${SLURM_CPUS_PER_TASK:-1}\"\n";
+         word_of(fs::current_path()) + " && " + call("exec ") +
+         "\"${run}case.toml\" --out \"$run\" --force --threads \"${SLURM_CPUS_PER_TASK:-1}\"\n";
 }
 
 std::string parallel_file(const std::vector<fs::path>& folders, const fs::path& campaign) {
   std::string text =
-      "# parallel --joblog jobs.log --resume < " + quoted((campaign / "campaign.parallel").string()) + "\n";
+      "# parallel --joblog jobs.log --resume < " + shell_word((campaign / "campaign.parallel").string()) + "\n";
   for (const fs::path& folder : folders)
-    text += "cd " + quoted(fs::current_path().string()) + " && " + program() + " biaxial " +
-            quoted((folder / "case.toml").string()) + " --out " + quoted(folder.string()) + " --force --threads 1\n";
+    text += "cd " + word_of(fs::current_path()) + " && " + call("") + shell_word((folder / "case.toml").string()) +
+            " --out " + word_of(folder) + " --force --threads 1\n";
   return text;
 }
 

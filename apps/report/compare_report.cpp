@@ -2,6 +2,7 @@
 
 #include "apps/bench_machine.hpp"
 #include "apps/command_line.hpp"
+#include "apps/report/legend.hpp"
 #include "core/base/error.hpp"
 #include "core/io/picture.hpp"
 
@@ -19,6 +20,28 @@ std::string count_text(Runs runs) {
     if (const auto count = std::ranges::count(runs, status, &RunResult::status); count > 0)
       text += ", " + std::to_string(count) + " " + name_of(status);
   return text;
+}
+
+std::vector<RunResult> with_legend(Runs runs) {
+  std::vector<RunResult> called(runs.begin(), runs.end());
+  for (RunResult& run : called)
+    if (!run.settings.empty()) run.label = legend_label(run.settings);
+  return called;
+}
+
+/// With the colour and the dashes of what each run differs in.
+Plot campaign_curves(Runs runs, const std::string& title) {
+  std::vector<std::vector<Setting>> settings;
+  for (const RunResult& run : runs) settings.push_back(run.settings);
+  const std::vector<Pen> pens = pens_of(settings);
+  Plot plot = curves_of(runs, title);
+  for (Series& series : plot.series) {
+    const auto run = std::ranges::find(runs, series.id, &RunResult::name);
+    const Pen& pen = pens[static_cast<std::size_t>(run - runs.begin())];
+    series.color = pen.color;
+    series.dashes = pen.dashes;
+  }
+  return plot;
 }
 
 /// What a run has beside its scheme.
@@ -54,36 +77,34 @@ Panel panel_of(const Frame& frame, const std::string& label) {
   return {&frame, label.substr(0, comma), comma == std::string::npos ? "" : label.substr(comma + 2)};
 }
 
-std::optional<Frame> readable_frame(const RunResult& run, double u_over_h) {
-  try {
-    return frame_at(run, u_over_h);
-  } catch (const InputError&) { return std::nullopt; } // the report names it
-}
-
 } // namespace
 
 std::vector<std::pair<std::string, std::string>> provenance(const std::string& command, Runs runs) {
-  return {{"Version", version()},
-          {"Command", command},
-          {"Machine", processor_name() + ", " + std::to_string(std::thread::hardware_concurrency()) + " processors, " +
-                          instruction_set()},
-          {"Runs", count_text(runs)}};
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"Version", version()},
+      {"Command", command},
+      {"Machine", processor_name() + ", " + std::to_string(std::thread::hardware_concurrency()) + " processors, " +
+                      instruction_set()}};
+  if (!runs.empty()) facts.emplace_back("Runs", count_text(runs));
+  return facts;
 }
 
-Page compare_report(const std::string& title, const std::string& command, Runs runs) {
+Page compare_report(const std::string& title, const std::string& command, Runs results) {
+  const std::vector<RunResult> runs = with_legend(results);
   Page page(title);
   page.facts(provenance(command, runs));
-  page.plot(curves_of(runs, ""),
-            "Mobilised friction angle over vertical strain. A click on a run picks it out, here, among the "
-            "pictures and in the tables; another click, or Escape, lets it go.");
+  const Plot curves = campaign_curves(runs, "");
+  if (curves.series.empty())
+    page.paragraph("No run has left a curve.");
+  else
+    page.plot(curves, "Mobilised friction angle over vertical strain. A click on a run picks it out, here, among the "
+                      "pictures and in the tables; another click, or Escape, lets it go.");
   page.heading("Shear band");
   page.table(band_table(runs));
   const double strain = common_strain(runs);
-  for (const auto& [field, label] :
-       {std::pair{"void_ratio", "void ratio e [-]"}, {"shear_strain", "shear strain γ [-]"}}) {
-    const PagePictures pictures = field_pictures(runs, field, label, strain);
-    if (!pictures.pictures.empty()) page.pictures(pictures);
-  }
+  for (const DrawnField& field : drawn_fields)
+    if (const PagePictures pictures = field_pictures(runs, field, strain); !pictures.pictures.empty())
+      page.pictures(pictures);
   page.heading("Energies and cost");
   page.table(cost_table(runs));
   page.heading("Settings");
@@ -91,10 +112,11 @@ Page compare_report(const std::string& title, const std::string& command, Runs r
   return page;
 }
 
-std::vector<std::string> write_compare_pictures(const std::string& title, Runs runs,
+std::vector<std::string> write_compare_pictures(const std::string& title, Runs results,
                                                 const std::filesystem::path& folder) {
+  const std::vector<RunResult> runs = with_legend(results);
   std::vector<std::string> names{"curves.png"};
-  const Plot curves = curves_of(runs, title);
+  const Plot curves = campaign_curves(runs, title);
   if (curves.series.empty()) return {};
   write_png(folder / names.front(), curves);
   const double strain = common_strain(runs);
@@ -116,7 +138,7 @@ std::vector<std::string> write_compare_pictures(const std::string& title, Runs r
                           .title = "",
                           .subtitle = "",
                           .label = "void ratio e [-], u/h₀ = " + with_digits(100.0 * strain, 1) + " %",
-                          .range = field_range(frames, "void_ratio"),
+                          .range = field_range(frames, drawn_fields.front()),
                           .width = 2400,
                           .height = 900});
   }

@@ -1,7 +1,9 @@
 #include "apps/report/page.hpp"
 
 #include "apps/report/page_style.hpp"
+#include "core/io/text_lines.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -43,27 +45,43 @@ std::string inline_svg(const Plot& plot) {
   return svg.insert(4, " role=\"img\"" + attribute("aria-label", plot.y_label + " over " + plot.x_label));
 }
 
+constexpr double bar_left = 24, bar_width = 304; ///< of the colours in the picture of their bar
+
+/// Ticks and labels of the bar, as many as have room.
+std::string bar_ticks(const Interval& range) {
+  constexpr double font = 11;
+  std::vector<double> values;
+  std::vector<std::string> labels;
+  for (int about = 6; about > 0; --about) {
+    values = round_ticks(range, about);
+    labels = tick_labels(values);
+    const double needed = widest(labels, font) + 0.7 * font;
+    if (values.size() < 2 || needed <= (range.part(values[1]) - range.part(values[0])) * bar_width) break;
+  }
+  std::string ticks;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double middle = bar_left + range.part(values[i]) * bar_width, half = 0.5 * text_width(labels[i], font);
+    const std::string x = std::to_string(middle);
+    ticks += "<line" + attribute("x1", x) + attribute("x2", x) + " y1=\"16\" y2=\"20\" stroke=\"#262626\"/><text" +
+             attribute("x", std::to_string(std::clamp(middle, half, bar_width + 2 * bar_left - half))) +
+             " y=\"31\" text-anchor=\"middle\">" + labels[i] + "</text>";
+  }
+  return ticks;
+}
+
 /// @param id of its gradient, like no other's on the page
 std::string color_bar(const PagePictures& p, const std::string& id) {
   constexpr int stops = 16;
-  constexpr double left = 8, width = 304, top = 4, height = 12;
-  std::string gradient, ticks;
+  std::string gradient;
   for (int i = 0; i <= stops; ++i) {
     const double part = static_cast<double>(i) / stops;
     gradient +=
         "<stop" + attribute("offset", std::to_string(part)) + attribute("stop-color", hex(viridis(part))) + "/>";
   }
-  const std::vector<double> values = round_ticks(p.range, 6);
-  const std::vector<std::string> labels = tick_labels(values);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::string x = std::to_string(left + p.range.part(values[i]) * width);
-    ticks += "<line" + attribute("x1", x) + attribute("x2", x) + " y1=\"16\" y2=\"20\" stroke=\"#262626\"/><text" +
-             attribute("x", x) + " y=\"31\" text-anchor=\"middle\">" + labels[i] + "</text>";
-  }
-  return "<svg class=\"bar\" viewBox=\"0 0 320 36\"" + attribute("aria-label", p.label) + "><defs><linearGradient" +
-         attribute("id", id) + ">" + gradient + "</linearGradient></defs><rect" + attribute("x", std::to_string(left)) +
-         attribute("y", std::to_string(top)) + attribute("width", std::to_string(width)) +
-         attribute("height", std::to_string(height)) + attribute("fill", "url(#" + id + ")") + "/>" + ticks + "</svg>";
+  return "<svg class=\"bar\" viewBox=\"0 0 352 36\"" + attribute("aria-label", p.label) + "><defs><linearGradient" +
+         attribute("id", id) + ">" + gradient + "</linearGradient></defs><rect" +
+         attribute("x", std::to_string(bar_left)) + " y=\"4\"" + attribute("width", std::to_string(bar_width)) +
+         " height=\"12\"" + attribute("fill", "url(#" + id + ")") + "/>" + bar_ticks(p.range) + "</svg>";
 }
 
 } // namespace
@@ -132,10 +150,11 @@ void Page::table(const PageTable& table) {
     }
     rows += element("tr", run_attribute(row.run), cells) + "\n";
   }
-  body_ += "<div class=\"scroll\" tabindex=\"0\">" +
-           element("table", table.long_text ? " class=\"long\"" : "",
-                   element("caption", "", html_escaped(table.caption)) + "\n" +
-                       element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", "\n" + rows)) +
+  const std::string caption = "caption" + std::to_string(body_.size());
+  body_ += element("p", " class=\"caption\"" + attribute("id", caption), html_escaped(table.caption)) +
+           "\n<div class=\"scroll\" tabindex=\"0\"" + attribute("aria-labelledby", caption) + " role=\"region\">" +
+           element("table", (table.long_text ? " class=\"long\"" : "") + attribute("aria-labelledby", caption),
+                   "\n" + element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", "\n" + rows)) +
            "</div>\n";
 }
 
@@ -145,8 +164,7 @@ void Page::plot(const Plot& plot, const std::string& caption) {
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
     if (series.id.empty()) continue;
-    Pen pen = series_pen(i);
-    if (series.color) pen.color = *series.color;
+    const Pen pen = pen_of(series, i);
     keys += element("button", " type=\"button\" aria-pressed=\"false\"" + run_attribute(series.id),
                     swatch(pen) + html_escaped(series.label)) +
             "\n";

@@ -33,10 +33,10 @@ figcaption { color: var(--soft); font-size: .85rem; line-height: 1.35; }
 .row img { display: block; width: 100%; height: auto; }
 .row figcaption { text-align: center; font-size: .78rem; color: var(--ink); overflow-wrap: anywhere; }
 .colors { display: flex; flex-wrap: wrap; align-items: flex-start; gap: .2rem .8rem; margin: .8rem 0 .2rem; font-size: .85rem; }
-.bar { width: 20rem; max-width: 100%; font-size: 11px; fill: var(--ink); }
-.scroll { overflow-x: auto; margin: 1rem 0 1.4rem; }
+.bar { width: 22rem; overflow: visible; max-width: 100%; font-size: 11px; fill: var(--ink); }
+.scroll { overflow-x: auto; margin: 0 0 1.4rem; }
 table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; color: var(--soft); font-size: .85rem; padding-bottom: .4rem; }
+.caption { color: var(--soft); font-size: .85rem; line-height: 1.35; margin: 1rem 0 .4rem; max-width: none; }
 th, td { padding: .28rem .7rem; text-align: right; vertical-align: top; white-space: nowrap; border-bottom: 1px solid #eee; }
 thead th { vertical-align: bottom; white-space: normal; font-weight: 600; border-bottom: 2px solid var(--ink); min-width: 4.2rem; }
 th.text, td.text { text-align: left; }
@@ -65,7 +65,7 @@ svg [data-run], .row figure { transition: opacity .12s; }
   th, td { padding: .15rem .35rem; }
   thead th { min-width: 0; }
   .plot, .row figure, tr { break-inside: avoid; }
-  h2, h3 { break-after: avoid; }
+  h2, h3, .caption { break-after: avoid; }
   .keys button { border: none; padding: 0 .5rem 0 0; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }

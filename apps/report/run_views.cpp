@@ -1,5 +1,8 @@
 #include "apps/report/run_views.hpp"
 
+#include "apps/figure_json.hpp"
+#include "apps/messages.hpp"
+#include "apps/section.hpp"
 #include "core/base/error.hpp"
 #include "core/io/field_image.hpp"
 #include "core/io/vtk_reader.hpp"
@@ -19,19 +22,22 @@ const PageCell none{"–", "faint"};
 
 /// A figure of a summary, or of the band in it, in its unit; a dash where there is none.
 PageCell figure(const ordered_json& json, const char* name, double unit, int digits) {
-  if (!json.is_object() || !json.contains(name) || !json.at(name).is_number()) return none;
-  return {with_digits(json.at(name).get<double>() / unit, digits)};
+  const double x = figure_in(json, name);
+  return std::isnan(x) ? none : PageCell{with_digits(x / unit, digits)};
 }
 
+/// An object; empty where no band was found.
 ordered_json band_of(const RunResult& run) {
-  const bool has_band = run.summary.is_object() && run.summary.contains("band");
-  return has_band && run.summary.at("band").value("found", false) ? run.summary.at("band") : ordered_json::object();
+  if (!run.summary.is_object() || !run.summary.contains("band")) return ordered_json::object();
+  const ordered_json& band = run.summary.at("band");
+  return text_in(band, "kind", "none") != "none" ? band : ordered_json::object();
 }
 
 PageCell exponent(const ordered_json& json, const char* name) {
-  if (!json.is_object() || !json.contains(name) || !json.at(name).is_number()) return none;
+  const double x = figure_in(json, name);
+  if (std::isnan(x)) return none;
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1e", json.at(name).get<double>());
+  std::snprintf(text.data(), text.size(), "%.1e", x);
   return {text.data()};
 }
 
@@ -42,7 +48,8 @@ PageCell last_of(const RunResult& run, const char* column, int digits) {
 
 PageCell kind_of_band(const RunResult& run) {
   if (run.status != RunStatus::done) return {name_of(run.status), "faint"};
-  return {run.summary.at("band").value("kind", "none")};
+  const ordered_json& band = run.summary.at("band");
+  return {text_in(band, "kind", "none") + (text_in(band, "doubt", "").empty() ? "" : ", doubtful")};
 }
 
 /// Between which all but `share` of the values lie.
@@ -87,19 +94,18 @@ PageTable band_table(Runs runs) {
                   .rows = {}};
   for (const RunResult& run : runs) {
     const ordered_json band = band_of(run);
-    table.rows.push_back(
-        {{{run.label},
-          figure(run.summary, "phi_peak_deg", 1.0, 2),
-          figure(run.summary, "u_over_h_at_peak", 0.01, 2),
-          figure(run.summary, "phi_residual_deg", 1.0, 1),
-          kind_of_band(run),
-          figure(band, "inclination_deg", 1.0, 1),
-          figure(band, "thickness_m", 1e-3, 2),
-          band.value("thickness_over_lc", 0.0) > 0.0 ? figure(band, "thickness_over_lc", 1.0, 1) : none,
-          figure(band, "thickness_fwhm_m", 1e-3, 2),
-          figure(band, "thickness_rate_m", 1e-3, 2),
-          figure(band, "void_ratio_inside", 1.0, 3)},
-         run.name});
+    table.rows.push_back({{{run.label},
+                           figure(run.summary, "phi_peak_deg", 1.0, 2),
+                           figure(run.summary, "u_over_h_at_peak", 0.01, 2),
+                           figure(run.summary, "phi_residual_deg", 1.0, 1),
+                           kind_of_band(run),
+                           figure(band, "inclination_deg", 1.0, 1),
+                           figure(band, "thickness_m", 1e-3, 2),
+                           figure(band, "thickness_over_lc", 1.0, 1),
+                           figure(band, "thickness_fwhm_m", 1e-3, 2),
+                           figure(band, "thickness_rate_m", 1e-3, 2),
+                           figure(band, "void_ratio_inside", 1.0, 3)},
+                          run.name});
   }
   return table;
 }
@@ -160,9 +166,21 @@ std::optional<double> history_at(const RunResult& run, const std::string& column
 std::optional<Frame> frame_at(const RunResult& run, double u_over_h) {
   const auto time = history_at(run, "time_s", u_over_h);
   const std::vector<FrameFile> files = frame_files(run.folder);
-  if (!time || files.empty() || files.front().path.extension() != ".vtp") return std::nullopt;
+  if (!time || files.empty()) return std::nullopt;
   const auto distance = [&](const FrameFile& file) { return std::abs(file.time - *time); };
-  return read_frame(std::ranges::min_element(files, {}, distance)->path);
+  Frame frame = read_frame(std::ranges::min_element(files, {}, distance)->path);
+  if (frame.dimension == 2) return frame;
+  if (!frame.has("displacement")) return std::nullopt; // it does not tell which points stood behind one another
+  return mean_over_depth(frame, depth_of(frame));
+}
+
+std::optional<Frame> readable_frame(const RunResult& run, double u_over_h) {
+  try {
+    return frame_at(run, u_over_h);
+  } catch (const std::exception& error) {
+    print_warning(run.name + " has no picture: " + error.what());
+    return std::nullopt;
+  }
 }
 
 double common_strain(Runs runs) {
@@ -172,29 +190,29 @@ double common_strain(Runs runs) {
   return least;
 }
 
-Interval field_range(std::span<const Frame> frames, const std::string& field) {
+Interval field_range(std::span<const Frame> frames, const DrawnField& field) {
   std::vector<double> values;
   for (const Frame& frame : frames) {
-    const std::vector<double> more = FieldColors{field, 0, {}}.values(frame);
+    const std::vector<double> more = FieldColors{field.name, field.component, {}, field.unit}.values(frame);
     values.insert(values.end(), more.begin(), more.end());
   }
   return range_without_extremes(std::move(values), 2e-3);
 }
 
-PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h) {
+PagePictures field_pictures(Runs runs, const DrawnField& field, double u_over_h) {
   PagePictures all{.caption = "Specimens at u/h₀ = " + with_digits(100.0 * u_over_h, 1) + " %.",
                    .pictures = {},
-                   .label = label,
+                   .label = field.label,
                    .range = {}};
   std::vector<const RunResult*> shown;
   std::vector<Frame> frames;
   for (const RunResult& run : runs) {
     try {
-      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field)) {
+      if (auto frame = frame_at(run, u_over_h); frame && frame->has(field.name)) {
         shown.push_back(&run);
         frames.push_back(std::move(*frame));
       }
-    } catch (const InputError& error) { all.caption += std::string(" No picture: ") + error.what() + "."; }
+    } catch (const std::exception& error) { all.caption += std::string(" No picture: ") + error.what() + "."; }
   }
   if (frames.empty()) return all;
   all.range = field_range(frames, field);
@@ -203,8 +221,8 @@ PagePictures field_pictures(Runs runs, const std::string& field, const std::stri
   const Box view = view_of(drawn);
   constexpr int height = 640;
   for (std::size_t i = 0; i < frames.size(); ++i)
-    all.pictures.push_back(
-        {field_image(frames[i], {field, 0, all.range}, view, height), shown[i]->label, shown[i]->name});
+    all.pictures.push_back({field_image(frames[i], {field.name, field.component, all.range, field.unit}, view, height),
+                            shown[i]->label, shown[i]->name});
   all.width_px = static_cast<int>(0.5 * height * (view.right - view.left) / (view.top - view.bottom));
   return all;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/campaign/run_result.hpp"
+#include "apps/drawn_fields.hpp"
 #include "apps/report/page.hpp"
 #include "core/io/frame.hpp"
 
@@ -27,14 +28,17 @@ PageTable settings_table(Runs runs);
 
 /// A value of the history at a strain, by straight lines between rows; none outside of it.
 std::optional<double> history_at(const RunResult& run, const std::string& column, double u_over_h);
-/// The frame nearest to a strain that the run has reached; none where no frames in two dimensions were written.
+/// The frame nearest to a strain that the run has reached, in three dimensions its mean over the depth; none where no
+/// frames were written, or none of which that mean could be taken.
 std::optional<Frame> frame_at(const RunResult& run, double u_over_h);
+/// The same; none, and a warning, where it is damaged.
+std::optional<Frame> readable_frame(const RunResult& run, double u_over_h);
 /// The strain that every run with frames has reached.
 double common_strain(Runs runs);
 
 /// One range for a field of several frames, without the most extreme 0.2 % of the points.
-Interval field_range(std::span<const Frame> frames, const std::string& field);
+Interval field_range(std::span<const Frame> frames, const DrawnField& field);
 /// A field of all runs that have frames, in colours of that range.
-PagePictures field_pictures(Runs runs, const std::string& field, const std::string& label, double u_over_h);
+PagePictures field_pictures(Runs runs, const DrawnField& field, double u_over_h);
 
 } // namespace riedel

@@ -1,5 +1,6 @@
 #include "apps/reproduce/figures.hpp"
 
+#include "apps/messages.hpp"
 #include "apps/reproduce/band_theory.hpp"
 #include "core/io/picture.hpp"
 
@@ -56,6 +57,16 @@ std::vector<RunResult> runs_of_figure_10(const PaperResults& results) {
   return renamed(results.some(density_runs()), "e₀ = 0.55");
 }
 
+/// None where a frame is damaged.
+std::vector<PointCurve> readable_points(const RunResult& run, const Values& paper_case) {
+  try {
+    return points_in_and_out(run, paper_case);
+  } catch (const std::exception& error) {
+    print_warning(run.name + " has no void ratios of points: " + error.what());
+    return {};
+  }
+}
+
 Plot void_ratios(const PaperResults& results) {
   Plot plot{.title = "Void ratio outside (1 to 3) and inside (4 to 6) the band",
             .x_label = "u/h₀ [%]",
@@ -63,7 +74,7 @@ Plot void_ratios(const PaperResults& results) {
             .series = {}};
   const RunResult* run = results.done(paper_run);
   if (run == nullptr) return plot;
-  for (const PointCurve& curve : points_in_and_out(*run, results.paper_case())) {
+  for (const PointCurve& curve : readable_points(*run, results.paper_case())) {
     Series series{.label = curve.name + ": x = " + with_digits(1e3 * curve.x, 0) +
                            ", y = " + with_digits(1e3 * curve.y, 0) + " mm",
                   .x = curve.u_over_h,
@@ -121,7 +132,7 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
     std::vector<Frame> frames;
     std::vector<std::string> labels;
     for (const RunResult& run : part.runs)
-      if (auto frame = frame_at(run, drawn_strain)) {
+      if (auto frame = readable_frame(run, drawn_strain); frame && frame->has("void_ratio")) {
         frames.push_back(std::move(*frame));
         labels.push_back(run.label);
       }
@@ -134,7 +145,7 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
                           .title = "",
                           .subtitle = "",
                           .label = "void ratio e [-], u/h₀ = " + with_digits(100 * drawn_strain, 0) + " %",
-                          .range = field_range(frames, "void_ratio"),
+                          .range = field_range(frames, drawn_fields.front()),
                           .width = 2000,
                           .height = 900});
   }

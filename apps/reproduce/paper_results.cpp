@@ -1,6 +1,8 @@
 #include "apps/reproduce/paper_results.hpp"
 
 #include "apps/band_report.hpp"
+#include "apps/figure_json.hpp"
+#include "core/base/error.hpp"
 #include "core/io/vtk_reader.hpp"
 
 #include <algorithm>
@@ -33,9 +35,8 @@ double PaperResults::figure(const std::string& run, const std::string& name) con
   if (result == nullptr) return nothing;
   const bool of_band = name.starts_with("band.");
   const nlohmann::ordered_json& from = of_band ? result->summary.at("band") : result->summary;
-  if (of_band && !from.value("found", false)) return nothing;
-  const std::string key = of_band ? name.substr(5) : name;
-  return from.contains(key) && from.at(key).is_number() ? from.at(key).get<double>() : nothing;
+  if (of_band && !flag_in(from, "found")) return nothing;
+  return figure_in(from, (of_band ? name.substr(5) : name).c_str());
 }
 
 double PaperResults::angle_at(const std::string& run, double u_over_h) const {
@@ -60,14 +61,14 @@ std::optional<ShearBand> PaperResults::band_at(const std::string& run, double u_
   Values values = case_;
   for (const auto& [key, value] : result->settings)
     if (key == "nonlocal.length") values.set(key, std::stod(value));
-  const auto frame = frame_at(*result, u_over_h);
+  const auto frame = readable_frame(*result, u_over_h);
   return frame ? std::optional(measure_band(*frame, values)) : std::nullopt;
 }
 
 double PaperResults::dilation_above(const std::string& run, double u_over_h) const {
   const RunResult* result = done(run);
-  const auto frame = result == nullptr ? std::nullopt : frame_at(*result, u_over_h);
-  if (!frame) return nothing;
+  const auto frame = result == nullptr ? std::nullopt : readable_frame(*result, u_over_h);
+  if (!frame || !frame->has("volume") || !frame->has("volume_ratio")) return nothing;
   const std::vector<double>& volume = frame->field("volume").values;
   std::vector<double> growth = frame->field("volume_ratio").values; // grains keep their volume
   std::vector<double> sorted = growth;
@@ -96,6 +97,10 @@ std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& v)
   const std::vector<FrameFile> files = frame_files(run.folder);
   if (files.empty() || files.front().path.extension() != ".vtp") return {};
   const Frame first = read_frame(files.front().path), last = read_frame(files.back().path);
+  const auto require_same_points = [&](const Frame& frame, const FrameFile& file) {
+    if (frame.points() != first.points()) throw InputError(file.path.string() + ": is of another run");
+  };
+  require_same_points(last, files.back());
   const double width = v.number("specimen.width"), height = v.number("specimen.height");
   const std::vector<double>& e = last.field("void_ratio").values;
   const auto start = [&](std::size_t p) { return Vec<2>(first.position[3 * p], first.position[3 * p + 1]); };
@@ -128,6 +133,7 @@ std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& v)
                         .pressure = last.field("mean_pressure").values[p]});
   for (const FrameFile& file : files) {
     const Frame frame = read_frame(file.path);
+    require_same_points(frame, file);
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const std::size_t p = k < outside.size() ? outside[k] : inside[k - outside.size()];
       curves[k].u_over_h.push_back(frame.u_over_h);

@@ -1,7 +1,16 @@
 #include "apps/verify/report.hpp"
 
 #include "apps/bench_table.hpp"
+#include "apps/command_line.hpp"
+#include "apps/csv_cell.hpp"
+#include "apps/figure_json.hpp"
+#include "apps/report/legend.hpp"
 #include "core/io/plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
 
 namespace riedel {
 
@@ -43,12 +52,7 @@ std::string figures_text(const VerifyProblem& problem, const VerifyRun& run) {
   return text;
 }
 
-/// Commas and quotes as comma-separated files have them.
-std::string quoted(const std::string& text) {
-  std::string answer = "\"";
-  for (const char c : text) answer += c == '"' ? "\"\"" : std::string(1, c);
-  return answer + "\"";
-}
+std::string number_cell(const char* form, double x) { return std::isfinite(x) ? text_of(form, x) : ""; }
 
 } // namespace
 
@@ -75,21 +79,89 @@ std::string verify_csv(const std::vector<VerifyStudy>& studies) {
   std::string text = "problem,scheme,cells,error,order,expected_order,ns_per_point_step,failure,figures\n";
   for (const VerifyStudy& study : studies) {
     const auto line = [&](std::size_t i, const std::string& numbers, const std::string& ns, const std::string& end) {
-      text += study.problem->name + "," + study.scheme + "," + std::to_string(study.problem->cells[i]) + "," + numbers +
-              "," + study.expected().text + "," + ns + "," + end + "\n";
+      text += study.problem->name + "," + csv_cell(study.scheme) + "," + std::to_string(study.problem->cells[i]) + "," +
+              numbers + "," + study.expected().text + "," + ns + "," + end + "\n";
     };
     for (std::size_t i = 0; i < study.runs.size(); ++i)
-      line(i, exact_text(study.runs[i].error) + "," + text_of("%.4f", study.order()), text_of("%.4g", study.runs[i].ns),
-           "," + figures_text(*study.problem, study.runs[i]));
-    if (!study.failure.empty()) line(study.runs.size(), "nan,nan", "nan", quoted(study.failure) + ",");
+      line(i, exact_text(study.runs[i].error) + "," + number_cell("%.4f", study.order()),
+           text_of("%.4g", study.runs[i].ns), "," + figures_text(*study.problem, study.runs[i]));
+    if (!study.failure.empty()) line(study.runs.size(), ",", "", csv_cell(study.failure) + ",");
   }
   return text;
 }
 
+nlohmann::ordered_json verify_summary(const std::vector<VerifyStudy>& studies, const std::string& status) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const VerifyStudy& study : studies) {
+    nlohmann::ordered_json errors = nlohmann::ordered_json::array(), cells = errors;
+    for (std::size_t i = 0; i < study.runs.size(); ++i) {
+      errors.push_back(study.runs[i].error);
+      cells.push_back(study.problem->cells[i]);
+    }
+    all.push_back({{"problem", study.problem->name},
+                   {"scheme", study.scheme},
+                   {"cells", cells},
+                   {"errors", errors},
+                   {"order", figure_json(study.order())},
+                   {"expected", study.expected().text},
+                   {"missed", study.missed()},
+                   {"failure", study.failure},
+                   {"ns_per_point_step", figure_json(study.runs.empty() ? std::nan("") : study.runs.back().ns)}});
+  }
+  return {{"case", "verify"}, {"version", version()}, {"status", status}, {"studies", all}};
+}
+
+namespace {
+
+/// Errors as a curve, in the colour that the scheme has everywhere.
+Series series_of(const VerifyStudy& study) {
+  const std::size_t number = color_of_scheme(study.scheme);
+  Series series{.label = study.scheme, .x = {}, .y = {}};
+  if (std::isfinite(study.order())) series.label += ", order " + order_text(study.order());
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    series.x.push_back(static_cast<double>(study.problem->cells[i]));
+    series.y.push_back(study.runs[i].error);
+  }
+  series.color = palette_color(number);
+  series.dashes = dash_pattern(number % 2); // curves that lie on one another both show
+  series.marker = marker_of(number);
+  return series;
+}
+
+/// A straight line of each expected order beneath the curves.
+std::vector<Series> slopes(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem) {
+  constexpr Color grey{0.6, 0.6, 0.6};
+  std::set<int> orders;
+  double least = std::numeric_limits<double>::infinity();
+  for (const VerifyStudy& study : studies) {
+    if (study.problem != &problem || study.runs.size() < 2) continue;
+    if (study.expected().least_order > 0.0) orders.insert(static_cast<int>(std::ceil(study.expected().least_order)));
+    for (const VerifyRun& run : study.runs)
+      if (run.error > 0.0) least = std::min(least, run.error);
+  }
+  std::vector<Series> lines;
+  const double first = static_cast<double>(problem.cells.front()), last = static_cast<double>(problem.cells.back());
+  for (const int order : orders) {
+    const double end = 0.6 * least;
+    lines.push_back({.label = "slope of order " + std::to_string(order),
+                     .x = {first, last},
+                     .y = {end * std::pow(last / first, order), end},
+                     .style = lines.empty() ? Style::dashed : Style::dotted,
+                     .color = grey});
+  }
+  return lines;
+}
+
+} // namespace
+
 void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
                  const std::filesystem::path& folder) {
-  const std::string y_label = "log₁₀ of the error";
-  Plot convergence{.title = problem.title, .x_label = "cells", .y_label = y_label, .series = {}, .log_x = true};
+  const std::string y_label = "error [-]";
+  Plot convergence{.title = problem.title, .x_label = "cells", .y_label = y_label, .series = {}};
+  convergence.log_x = convergence.log_y = true;
+  convergence.x_ticks.assign(problem.cells.begin(), problem.cells.end());
+  convergence.x_range =
+      Interval{0.9 * static_cast<double>(problem.cells.front()), 1.1 * static_cast<double>(problem.cells.back())};
   Plot cost{.title = problem.title,
             .x_label = "ns per point and step, with the finest cells",
             .y_label = y_label,
@@ -97,22 +169,17 @@ void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& p
   double least = std::numeric_limits<double>::infinity(), most = 0.0; // cost
   for (const VerifyStudy& study : studies) {
     if (study.problem != &problem || study.runs.empty()) continue;
-    Series errors{.label = study.scheme, .x = {}, .y = {}}, times;
-    for (std::size_t i = 0; i < study.runs.size(); ++i) {
-      errors.x.push_back(study.problem->cells[i]);
-      errors.y.push_back(std::log10(study.runs[i].error));
-    }
-    errors.style = errors.x.size() < 2                  ? Style::dots
-                   : convergence.series.size() % 2 == 0 ? Style::solid
-                                                        : Style::dashed;
-    times = errors;
+    Series errors = series_of(study), times = errors;
+    times.label = study.scheme;
     times.x.assign(errors.x.size(), study.runs.back().ns);
     least = std::min(least, study.runs.back().ns);
     most = std::max(most, study.runs.back().ns);
     convergence.series.push_back(std::move(errors));
     cost.series.push_back(std::move(times));
   }
+  for (Series& line : slopes(studies, problem)) convergence.series.push_back(std::move(line));
   cost.log_x = most > 3.0 * least;
+  cost.log_y = true;
   if (most > 0.0) cost.x_range = Interval{0.95 * least, 1.05 * most};
   write_png(folder / "convergence.png", convergence);
   write_png(folder / "cost.png", cost);

@@ -53,7 +53,11 @@ public:
   explicit ElastoplasticLaw(const ElastoplasticControl& control) : control_(control) {}
 
   [[nodiscard]] std::span<const StateVariable> states() const final { return states_; }
-  [[nodiscard]] std::vector<std::string> nonlocal_variables() const final { return {"plastic_strain"}; }
+  /// The average has a say in the softening alone, as far as nonlocal_factor gives it one.
+  [[nodiscard]] std::vector<std::string> nonlocal_variables() const final {
+    if (law().softens() && control_.nonlocal_factor != 0.0) return {"plastic_strain"};
+    return {};
+  }
   [[nodiscard]] double density(std::span<const double> state) const final { ///< ρ_0/J
     return solid().density * std::exp(-state[volume_strain]);
   }

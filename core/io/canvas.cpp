@@ -35,10 +35,10 @@ std::string font_file() {
 
 /// The letters our labels use, in letters that VTK's own font has.
 std::string spelled_out(std::string text) {
-  constexpr std::array<std::pair<const char*, const char*>, 20> spelling{{
+  constexpr std::array<std::pair<const char*, const char*>, 21> spelling{{
       {"α", "alpha"},  {"β", "beta"}, {"γ", "gamma"}, {"δ", "delta"}, {"Δ", "Delta"}, {"ε", "epsilon"}, {"θ", "theta"},
       {"λ", "lambda"}, {"μ", "mu"},   {"ν", "nu"},    {"ρ", "rho"},   {"σ", "sigma"}, {"τ", "tau"},     {"φ", "phi"},
-      {"ψ", "psi"},    {"₀", "0"},    {"₁", "1"},     {"₂", "2"},     {"₃", "3"},     {"‖", "|"},
+      {"ψ", "psi"},    {"₀", "0"},    {"₁", "1"},     {"₂", "2"},     {"₃", "3"},     {"‖", "|"},       {"…", "..."},
   }};
   for (const auto& [sign, letters] : spelling)
     for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)

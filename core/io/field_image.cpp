@@ -7,13 +7,23 @@
 namespace riedel {
 namespace {
 constexpr Color unknown{0.75, 0.75, 0.75};
+
+/// A bar with ends, and its length beneath.
+void draw_length_bar(RasterCanvas& canvas, const Box& area, double length, double scale, double font) {
+  const double bar = length * scale, width = text_width(length_text(length), font);
+  const double left = area.left + 0.5 * (area.width() - bar), y = area.top + 0.5 * font, end = 0.3 * font;
+  const Pen pen{ink, std::max(1.5, font / 9), {}};
+  canvas.line({{left, y}, {left + bar, y}}, pen);
+  for (const double x : {left, left + bar}) canvas.line({{x, y - end}, {x, y + end}}, pen);
+  canvas.text({area.left + 0.5 * (area.width() - width), y + 1.5 * font}, length_text(length), {font});
+}
 } // namespace
 
 std::vector<double> FieldColors::values(const Frame& frame) const {
   const Field& of = frame.field(field);
   const auto step = static_cast<std::size_t>(of.components), first = static_cast<std::size_t>(component);
   std::vector<double> numbers;
-  for (std::size_t i = first; i < of.values.size(); i += step) numbers.push_back(of.values[i]);
+  for (std::size_t i = first; i < of.values.size(); i += step) numbers.push_back(unit * of.values[i]);
   return numbers;
 }
 
@@ -53,11 +63,26 @@ void paint_field(RasterCanvas& canvas, const Frame& frame, const FieldColors& co
     }
 }
 
+double round_length(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most) + 1e-9));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= most * (1.0 + 1e-9)) return factor * power;
+  return power;
+}
+
+std::string length_text(double length) {
+  if (length >= 1.0) return plain_number(length) + " m";
+  return length >= 1e-3 ? plain_number(1e3 * length) + " mm" : plain_number(1e6 * length) + " µm";
+}
+
 std::string field_image(const Frame& frame, const FieldColors& colors, const Box& view, int height) {
   const double scale = height / (view.top - view.bottom);
   const Box area{0.0, 0.0, std::ceil((view.right - view.left) * scale), static_cast<double>(height)};
-  RasterCanvas canvas(area.width(), area.height());
+  const double font = std::max(9.0, std::round(height / 28.0));
+  RasterCanvas canvas(area.width(), area.height() + std::ceil(2.5 * font));
   paint_field(canvas, frame, colors, view, area, scale);
+  draw_length_bar(canvas, {area.left, area.bottom, area.right, area.bottom}, round_length(0.6 * area.width() / scale),
+                  scale, font);
   return canvas.encode();
 }
 

@@ -11,7 +11,8 @@ struct Field {
   std::string name;
   int components = 1;
   std::string unit;           ///< "Pa", "-", ... shown by ParaView beside the name
-  std::vector<double> values; ///< components × points
+  std::vector<double> values; ///< components × points; not a number where a point has no such quantity
+  bool whole = false;         ///< numbers that count or name, written as integers
 };
 
 struct Frame {

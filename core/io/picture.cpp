@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/field_image.hpp"
+#include "core/io/text_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@ namespace {
 constexpr Color grey{0.45, 0.45, 0.45};
 constexpr double millimetre = 1e-3; ///< [m]
 constexpr int bar_ticks = 6;
+constexpr double title_size = 1.1, subtitle_size = 0.9, heading_size = 1.25; ///< over the font's
+constexpr std::size_t most_lines = 3;
 
 void check(const std::vector<Panel>& panels, const PictureOptions& options) {
   if (panels.empty()) throw std::logic_error("a picture without panels");
@@ -29,7 +32,8 @@ void check(const std::vector<Panel>& panels, const PictureOptions& options) {
 Interval color_range(const std::vector<Panel>& panels, const PictureOptions& options) {
   Extent extent;
   for (const Panel& panel : panels) {
-    for (const double value : FieldColors{options.field, options.component, {}}.values(*panel.frame)) extent.add(value);
+    for (const double value : FieldColors{options.field, options.component, {}, options.unit}.values(*panel.frame))
+      extent.add(value);
   }
   return options.range.value_or(extent.interval(0));
 }
@@ -46,20 +50,40 @@ struct Layout {
   double font;     ///< [px], as all that follows
   double scale;    ///< pixels per metre
   double width, height;
-  bool has_subtitles;     ///< in any panel
-  std::vector<Box> areas; ///< one for each panel, on whole pixels
+  std::vector<std::string> heading;
+  std::vector<std::vector<std::string>> titles, subtitles; ///< lines of each panel
+  std::size_t title_lines, subtitle_lines;                 ///< of the panel with the most
+  std::vector<Box> areas;                                  ///< one for each panel, on whole pixels
   Box bar;
   std::vector<double> bar_values;
   std::vector<std::string> bar_labels;
 };
 
-double widest(const std::vector<std::string>& texts, double size) {
-  double width = 0;
-  for (const std::string& text : texts) width = std::max(width, text_width(text, size));
-  return width;
+Interval millimetres(double low, double high) { return {low / millimetre, high / millimetre}; }
+
+/// Titles in lines of at most that width. @return width of the widest
+double wrap_titles(Layout& l, const std::vector<Panel>& panels, const PictureOptions& options, double width) {
+  l.heading = lines_of(options.title, heading_size * l.font, options.width - 3 * l.font, most_lines);
+  double most = 0;
+  l.title_lines = l.subtitle_lines = 0;
+  for (const Panel& panel : panels) {
+    l.titles.push_back(lines_of(panel.title, title_size * l.font, width, most_lines));
+    l.subtitles.push_back(lines_of(panel.subtitle, subtitle_size * l.font, width, most_lines));
+    l.title_lines = std::max(l.title_lines, l.titles.back().size());
+    l.subtitle_lines = std::max(l.subtitle_lines, l.subtitles.back().size());
+    most = std::max(
+        {most, widest(l.titles.back(), title_size * l.font), widest(l.subtitles.back(), subtitle_size * l.font)});
+  }
+  return most;
 }
 
-Interval millimetres(double low, double high) { return {low / millimetre, high / millimetre}; }
+/// Height of what stands above the panels, in sizes of the font.
+double heading_rows(const Layout& l) {
+  const auto rows = [](std::size_t lines, double first, double next) {
+    return lines == 0 ? 0 : first + next * static_cast<double>(lines - 1);
+  };
+  return 0.8 + rows(l.heading.size(), 2.4, 1.5) + rows(l.title_lines, 1.7, 1.3) + rows(l.subtitle_lines, 1.4, 1.1);
+}
 
 Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) {
   Layout l;
@@ -69,29 +93,26 @@ Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) 
   l.bar_values = round_ticks(l.colors, bar_ticks);
   l.bar_labels = tick_labels(l.bar_values);
 
-  std::vector<std::string> titles, subtitles;
-  for (const Panel& panel : panels) titles.push_back(panel.title), subtitles.push_back(panel.subtitle);
-  const double title = widest(titles, 1.1 * l.font), subtitle = widest(subtitles, 0.9 * l.font);
-  const double heading = options.title.empty() ? 0 : text_width(options.title, 1.25 * l.font);
-  const double y_labels = widest(tick_labels(round_ticks(millimetres(l.view.bottom, l.view.top), 8)), l.font);
-  const double left = 3.2 * l.font + y_labels, bottom = 4 * l.font, gap = 1.5 * l.font;
-  const double rows = 0.8 + (heading > 0 ? 2.4 : 0) + (title > 0 ? 1.7 : 0) + (subtitle > 0 ? 1.4 : 0);
-  const double top = std::round(rows * l.font);
-  const double right = 6 * l.font + widest(l.bar_labels, l.font);
-
-  l.has_subtitles = subtitle > 0;
-
   const double count = static_cast<double>(panels.size());
   const double across = l.view.right - l.view.left, up = l.view.top - l.view.bottom;
-  l.scale = std::min((options.width - left - right - (count - 1) * gap) / (count * across),
-                     (options.height - top - bottom) / up);
+  const double y_labels = widest(tick_labels(round_ticks(millimetres(l.view.bottom, l.view.top), 8)), l.font);
+  const double left = 3.2 * l.font + y_labels, bottom = 4 * l.font, space = 1.5 * l.font;
+  const double right = 6 * l.font + widest(l.bar_labels, l.font);
+  const double room = std::max(options.width - left - right - (count - 1) * space, count * 4 * l.font);
+  const double widest_panel = std::min(room / count, across / up * options.height);
+  const double titles = wrap_titles(l, panels, options, std::max(widest_panel + (count > 1 ? 0 : right), 12 * l.font));
+
+  const double top = std::round(heading_rows(l) * l.font);
+  l.scale = std::min(room / (count * across), std::max(options.height - top - bottom, 4 * l.font) / up);
   const double panel_width = std::floor(across * l.scale + 1e-6), panel_height = std::floor(up * l.scale + 1e-6);
-  const double column = std::max({panel_width, title + gap, subtitle + gap});
-  const double content = left + (count - 1) * (column + gap) + column / 2 + panel_width / 2 + right;
-  l.width = std::max({content, heading + 2 * gap});
+  const double column = std::max(panel_width, titles + (count > 1 ? space : 0));
+  const double beside = 0.5 * (column - panel_width); // that a title is wider than its panel
+  const double content =
+      std::max(left, beside) + (count - 1) * (column + space) + panel_width + std::max(right, beside);
+  l.width = std::max(content, widest(l.heading, heading_size * l.font) + 2 * space);
   l.height = top + panel_height + bottom;
-  double x = std::round((l.width - content) / 2 + left + (column - panel_width) / 2);
-  for (std::size_t i = 0; i < panels.size(); ++i, x += std::round(column + gap))
+  double x = std::round((l.width - content) / 2 + std::max(left, beside));
+  for (std::size_t i = 0; i < panels.size(); ++i, x += std::round(column + space))
     l.areas.push_back({x, top, x + panel_width, top + panel_height});
   const Box& last = l.areas.back();
   const double shorter = 0.1 * panel_height;
@@ -141,14 +162,30 @@ void draw_color_bar(RasterCanvas& canvas, const Layout& l, const std::string& la
     canvas.text({l.bar.right + 0.6 * f, y + 0.36 * f}, l.bar_labels[i], {f});
   }
   const double x = l.bar.right + 2.1 * f + widest(l.bar_labels, f);
-  canvas.text({x, (l.bar.top + l.bar.bottom) / 2}, label, {f, ink, Anchor::middle, true});
+  const auto lines = lines_of(label, f, l.areas.back().height() + 3 * f, 2);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    canvas.text({x + 1.3 * f * static_cast<double>(i), (l.bar.top + l.bar.bottom) / 2}, lines[i],
+                {f, ink, Anchor::middle, true});
 }
 
-void draw_titles(RasterCanvas& canvas, const Panel& panel, const Layout& l, const Box& area) {
-  const double x = (area.left + area.right) / 2;
-  const double y = area.top - 0.7 * l.font;
-  canvas.text({x, y}, panel.subtitle, {0.9 * l.font, grey, Anchor::middle});
-  canvas.text({x, y - (l.has_subtitles ? 1.4 * l.font : 0)}, panel.title, {1.1 * l.font, ink, Anchor::middle});
+/// Lines of text above one another. @param at base line of the last
+void draw_upwards(RasterCanvas& canvas, Spot at, double step, const std::vector<std::string>& lines,
+                  const Lettering& lettering) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    canvas.text({at.x, at.y - step * static_cast<double>(lines.size() - 1 - i)}, lines[i], lettering);
+}
+
+void draw_titles(RasterCanvas& canvas, const Layout& l) {
+  for (std::size_t i = 0; i < l.areas.size(); ++i) {
+    const double x = (l.areas[i].left + l.areas[i].right) / 2, y = l.areas[i].top - 0.7 * l.font;
+    draw_upwards(canvas, {x, y}, 1.1 * l.font, l.subtitles[i], {subtitle_size * l.font, grey, Anchor::middle});
+    const double above = l.subtitle_lines == 0 ? 0 : 1.4 + 1.1 * static_cast<double>(l.subtitle_lines - 1);
+    draw_upwards(canvas, {x, y - above * l.font}, 1.3 * l.font, l.titles[i],
+                 {title_size * l.font, ink, Anchor::middle});
+  }
+  const double lines = static_cast<double>(std::max<std::size_t>(l.heading.size(), 1) - 1);
+  draw_upwards(canvas, {l.width / 2, (2.1 + 1.5 * lines) * l.font}, 1.5 * l.font, l.heading,
+               {heading_size * l.font, ink, Anchor::middle});
 }
 
 } // namespace
@@ -165,12 +202,12 @@ void write_field_pictures(const std::filesystem::path& path, const std::vector<P
   const Layout l = lay_out(panels, options);
   RasterCanvas canvas(l.width, l.height);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    paint_field(canvas, *panels[i].frame, {options.field, options.component, l.colors}, l.view, l.areas[i], l.scale);
+    paint_field(canvas, *panels[i].frame, {options.field, options.component, l.colors, options.unit}, l.view,
+                l.areas[i], l.scale);
     draw_axes(canvas, l, l.areas[i], i == 0);
-    draw_titles(canvas, panels[i], l, l.areas[i]);
   }
+  draw_titles(canvas, l);
   draw_color_bar(canvas, l, options.label);
-  canvas.text({l.width / 2, 2.1 * l.font}, options.title, {1.25 * l.font, ink, Anchor::middle});
   write_atomically(path, canvas.encode());
 }
 

@@ -12,9 +12,10 @@ namespace riedel {
 struct PictureOptions {
   std::string field;
   int component = 0;
+  double unit = 1.0; ///< what the frame's numbers are multiplied by
   std::string title, subtitle;
   std::string label;                  ///< of the colour bar, with the unit: "void ratio e [-]"
-  std::optional<Interval> range = {}; ///< of the colours; from the data if not given
+  std::optional<Interval> range = {}; ///< of the colours, in that unit; from the data if not given
   int width = 1600, height = 1200;    ///< the largest size [px]; one of the two shrinks to what the specimen needs
 };
 

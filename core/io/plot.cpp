@@ -1,222 +1,124 @@
 #include "core/io/plot.hpp"
 
-#include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/clip.hpp"
-#include "core/io/free_place.hpp"
+#include "core/io/plot_layout.hpp"
 #include "core/io/raster_canvas.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 namespace riedel {
 namespace {
 
-/// Okabe and Ito (2008), less the yellow, which is too faint for a line on white.
-constexpr std::array<Color, 7> palette{{{0, 0.447, 0.698},
-                                        {0.835, 0.369, 0},
-                                        {0, 0.620, 0.451},
-                                        {0.8, 0.475, 0.655},
-                                        {0.902, 0.624, 0},
-                                        {0.337, 0.706, 0.914},
-                                        {0.2, 0.2, 0.2}}};
 constexpr Color faint{0.90, 0.90, 0.90}, grey{0.45, 0.45, 0.45};
-constexpr double small = 12, large = 14; ///< sizes of ticks and legend, of title
-constexpr double label_gap = 3;
-constexpr double tick = 5, gap = 6, thin = 0.8;       ///< ticks, spaces, axes
-constexpr double sample = 26, row = 1.5 * small;      ///< line shown in the legend, its rows
-constexpr double curve_width = 1.8, dot_radius = 2.4; ///< curves
+constexpr double thin = 0.8; ///< axes
+constexpr double dot_radius = 2.4;
 
-struct Curve {
-  const Series* series;
-  Pen pen;
-  std::vector<Spot> spots; ///< on the sheet, before they are cut
-};
-
-/// Places on the sheet for the values of a plot.
-struct Axes {
-  Interval x, y; ///< x of logarithms, where the axis is logarithmic
-  Box area;
-  bool log_x;
-  [[nodiscard]] double across(double value) const { return along(log_x ? std::log10(value) : value); }
-  [[nodiscard]] double along(double place) const { return area.left + x.part(place) * area.width(); }
-  [[nodiscard]] double down(double value) const { return area.bottom - y.part(value) * area.height(); }
-};
-
-Interval x_interval(const Plot& plot) {
-  Extent extent;
-  for (const Series& s : plot.series)
-    for (double value : s.x) extent.add(plot.log_x ? std::log10(value) : value);
-  if (!plot.log_x) return plot.x_range.value_or(extent.interval(0.02));
-  if (plot.x_range) return {std::log10(plot.x_range->low), std::log10(plot.x_range->high)};
-  return extent.interval(0.0);
-}
-
-Interval y_interval(const Plot& plot) {
-  Extent extent;
-  for (const Series& s : plot.series)
-    for (double value : s.y) extent.add(value);
-  for (const ReferenceLine& line : plot.references) extent.add(line.y);
-  return plot.y_range.value_or(extent.interval(0.06));
-}
-
-double widest(const std::vector<std::string>& texts) {
-  double width = 0;
-  for (const std::string& text : texts) width = std::max(width, text_width(text, small));
-  return width;
-}
-
-Box area_of(const Plot& plot, const Interval& y, double right_margin) {
-  const double ticks = widest(tick_labels(round_ticks(y, 6)));
-  const double label = plot.y_label.empty() ? 0 : small + 2 * gap;
-  const double title = plot.title.empty() ? 0 : large + 2 * gap;
-  return {gap + label + ticks + tick + gap, 2 * gap + title, plot.width - right_margin - 3 * gap,
-          plot.height - tick - 2 * small - 4 * gap};
-}
-
-Pen pen_of(const Series& series, std::size_t number) {
-  Pen pen = series_pen(number);
-  if (series.color) pen.color = *series.color;
-  if (series.style == Style::solid && !series.color) return pen;
-  pen.dashes.clear();
-  if (series.style == Style::dashed) pen.dashes = {7, 5};
-  if (series.style == Style::dotted) pen.dashes = {0.1, 4};
-  return pen;
-}
-
-std::vector<Curve> curves_of(const Plot& plot, const Axes& axes) {
-  std::vector<Curve> curves;
-  for (const Series& s : plot.series) {
-    if (s.x.size() != s.y.size())
-      throw InputError("the curve '" + s.label + "' has " + std::to_string(s.x.size()) + " x and " +
-                       std::to_string(s.y.size()) + " y");
-    Curve curve{&s, pen_of(s, curves.size()), {}};
-    for (std::size_t i = 0; i < s.x.size(); ++i) {
-      const Spot spot{axes.across(s.x[i]), axes.down(s.y[i])};
-      constexpr double fine = 0.2; // steps too short to be seen only make the file longer
-      const bool visible = curve.spots.empty() || i + 1 == s.x.size() ||
-                           !(std::hypot(spot.x - curve.spots.back().x, spot.y - curve.spots.back().y) < fine);
-      if (visible) curve.spots.push_back(spot);
-    }
-    curves.push_back(std::move(curve));
+/// Lines of text beneath each other. @param at base line of the first
+void draw_lines(Canvas& canvas, Spot at, const std::vector<std::string>& lines, const Lettering& lettering) {
+  const double step = line_of_text * lettering.size;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double down = static_cast<double>(i) * step;
+    canvas.text(lettering.upright ? Spot{at.x + down, at.y} : Spot{at.x, at.y + down}, lines[i], lettering);
   }
-  return curves;
 }
 
-void draw_axes(Canvas& canvas, const Plot& plot, const Axes& axes) {
+/// The middle of a text of that width, as near as the sheet allows.
+double within_sheet(double middle, const std::vector<std::string>& lines, double size, double sheet) {
+  double half = 0;
+  for (const std::string& line : lines) half = std::max(half, 0.5 * text_width(line, size));
+  return std::clamp(middle, std::min(half + gap, sheet / 2), std::max(sheet - half - gap, sheet / 2));
+}
+
+void draw_ticks(Canvas& canvas, const PlotAxes& axes) {
   const Box& a = axes.area;
-  const auto x_ticks = axes.log_x ? log_ticks(axes.x) : round_ticks(axes.x, 7), y_ticks = round_ticks(axes.y, 6);
-  const auto x_labels = axes.log_x ? log_tick_labels(x_ticks) : tick_labels(x_ticks), y_labels = tick_labels(y_ticks);
   const Pen axis{ink, thin};
-  for (std::size_t i = 0; i < y_ticks.size(); ++i) {
-    const double y = axes.down(y_ticks[i]);
+  for (std::size_t i = 0; i < axes.y.ticks.size(); ++i) {
+    const double y = axes.down(axes.y.range.part(axes.y.ticks[i]));
     canvas.line({{a.left, y}, {a.right, y}}, {faint, thin});
-    canvas.line({{a.left - tick, y}, {a.left, y}}, axis);
-    canvas.text({a.left - tick - 4, y + 0.36 * small}, y_labels[i], {small, ink, Anchor::end});
+    canvas.line({{a.left - tick_length, y}, {a.left, y}}, axis);
+    canvas.text({a.left - tick_length - 4, y + 0.36 * small_font}, axes.y.labels[i], {small_font, ink, Anchor::end});
   }
-  for (std::size_t i = 0; i < x_ticks.size(); ++i) {
-    const double x = axes.along(x_ticks[i]);
-    canvas.line({{x, a.bottom}, {x, a.bottom + tick}}, axis);
-    canvas.text({x, a.bottom + tick + 3 + small}, x_labels[i], {small, ink, Anchor::middle});
+  for (std::size_t i = 0; i < axes.x.ticks.size(); ++i) {
+    const double x = axes.across(axes.x.range.part(axes.x.ticks[i]));
+    canvas.line({{x, a.bottom}, {x, a.bottom + tick_length}}, axis);
+    canvas.text({x, a.bottom + tick_length + 3 + small_font}, axes.x.labels[i], {small_font, ink, Anchor::middle});
   }
   canvas.line({{a.left, a.top}, {a.left, a.bottom}, {a.right, a.bottom}}, axis);
-  const double x = (a.left + a.right) / 2, y = (a.top + a.bottom) / 2;
-  canvas.text({x, plot.height - 2 * gap}, plot.x_label, {small, ink, Anchor::middle});
-  canvas.text({gap + small, y}, plot.y_label, {small, ink, Anchor::middle, true});
-  canvas.text({x, 2 * gap + large}, plot.title, {large, ink, Anchor::middle});
+}
+
+void draw_axes(Canvas& canvas, const PlotLayout& l) {
+  const Box& a = l.axes.area;
+  draw_ticks(canvas, l.axes);
+  const double x = (a.left + a.right) / 2;
+  const double below = a.bottom + tick_length + 3 + small_font + gap + small_font;
+  draw_lines(canvas, {within_sheet(x, l.x_label, small_font, l.width), below}, l.x_label,
+             {small_font, ink, Anchor::middle});
+  draw_lines(canvas, {gap + small_font, (a.top + a.bottom) / 2}, l.y_label, {small_font, ink, Anchor::middle, true});
+  draw_lines(canvas, {within_sheet(x, l.title, large_font, l.width), 2 * gap + large_font}, l.title,
+             {large_font, ink, Anchor::middle});
+  if (std::ranges::none_of(l.curves, [](const Curve& curve) { return !curve.spots.empty(); }))
+    canvas.text({x, (a.top + a.bottom) / 2}, "no data", {small_font, grey, Anchor::middle});
+}
+
+bool finite(const Spot& s) { return std::isfinite(s.x) && std::isfinite(s.y); }
+
+/// Spots within the area that no line reaches, since their neighbours are not finite.
+std::vector<Spot> alone(const std::vector<Spot>& spots, const Box& area) {
+  std::vector<Spot> found;
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    if (finite(spots[i]) && (i == 0 || !finite(spots[i - 1])) && (i + 1 == spots.size() || !finite(spots[i + 1])) &&
+        clip(spots[i], spots[i], area))
+      found.push_back(spots[i]);
+  return found;
 }
 
 void draw_curves(Canvas& canvas, const std::vector<Curve>& curves, const Box& area) {
   for (const Curve& curve : curves) {
     canvas.belongs_to(curve.series->id);
-    if (curve.series->style == Style::dots) {
-      for (const Spot& s : curve.spots)
-        if (clip(s, s, area)) canvas.disc(s, dot_radius, curve.pen.color);
-    } else {
+    const bool dots = curve.series->style == Style::dots;
+    if (!dots) {
       for (const auto& piece : clip(curve.spots, area)) canvas.line(piece, curve.pen);
+      for (const Spot& s : alone(curve.spots, area)) canvas.disc(s, dot_radius, curve.pen.color);
+    }
+    for (const Spot& s : curve.spots) {
+      if (!finite(s) || !clip(s, s, area)) continue;
+      if (dots && curve.series->marker == Marker::none) canvas.disc(s, dot_radius, curve.pen.color);
+      draw_marker(canvas, curve.series->marker, s, curve.pen.color);
     }
   }
   canvas.belongs_to("");
 }
 
-struct Layout {
-  Axes axes;
-  std::vector<Curve> curves;
-  std::vector<Box> reference_labels; ///< one for each reference line
-  std::vector<const Curve*> legend;
-  std::optional<Box> legend_place;
-};
-
-/// A label stands on its line at the right end, or wherever else no curve passes.
-Box reference_place(const ReferenceLine& line, const Axes& axes, const Occupied& occupied) {
-  const Box& area = axes.area;
-  const double y = axes.down(line.y), width = text_width(line.label, small), height = small + 2 * label_gap;
-  const Box above{area.left, y - height, area.right, y}, below{area.left, y, area.right, y + height};
-  if (const auto place = free_place(above, width, small, label_gap, occupied)) return *place;
-  if (const auto place = free_place(below, width, small, label_gap, occupied)) return *place;
-  return {area.right - width - gap, y - small - label_gap, area.right - gap, y - label_gap};
-}
-
-/// @param beside whether the legend stands at the right of the axes instead of among the curves
-Layout lay_out(const Plot& plot, bool beside) {
-  Layout layout;
-  std::vector<std::string> labels;
-  for (const Series& s : plot.series)
-    if (!s.label.empty()) labels.push_back(s.label);
-  const double width = sample + gap + widest(labels), height = row * static_cast<double>(labels.size());
-
-  layout.axes = {x_interval(plot), y_interval(plot), {}, plot.log_x};
-  layout.axes.area = area_of(plot, layout.axes.y, beside ? width + 2 * gap : 0);
-  layout.curves = curves_of(plot, layout.axes);
-  Occupied occupied;
-  for (const Curve& curve : layout.curves) {
-    occupied.lines.push_back(curve.spots);
-    if (!curve.series->label.empty()) layout.legend.push_back(&curve);
-  }
-  for (const ReferenceLine& line : plot.references) {
-    layout.reference_labels.push_back(reference_place(line, layout.axes, occupied));
-    occupied.boxes.push_back(layout.reference_labels.back());
-    const double y = layout.axes.down(line.y);
-    occupied.lines.push_back({{layout.axes.area.left, y}, {layout.axes.area.right, y}});
-  }
-  const Box& area = layout.axes.area;
-  if (beside) {
-    layout.legend_place = {area.right + 2 * gap, area.top, area.right + 2 * gap + width, area.top + height};
-  } else {
-    layout.legend_place = free_place(area, width, height, gap, occupied);
-  }
-  return layout;
-}
-
-void draw_references(Canvas& canvas, const Plot& plot, const Layout& layout) {
+void draw_references(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
   const Box& area = layout.axes.area;
   for (std::size_t i = 0; i < plot.references.size(); ++i) {
-    const double y = layout.axes.down(plot.references[i].y);
-    if (!clip({area.left, y}, {area.right, y}, area)) continue;
+    const double y = layout.axes.down(layout.axes.y.part(plot.references[i].y));
+    if (!std::isfinite(y) || !clip({area.left, y}, {area.right, y}, area)) continue;
     canvas.line({{area.left, y}, {area.right, y}}, {grey, 1, {2, 3}});
     const Box& place = layout.reference_labels[i];
-    canvas.text({place.left, place.bottom - 0.2 * small}, plot.references[i].label, {small, grey});
+    canvas.text({place.left, place.bottom - 0.2 * small_font}, plot.references[i].label, {small_font, grey});
   }
 }
 
-void draw_legend(Canvas& canvas, const Layout& layout) {
-  Spot corner{layout.legend_place->left, layout.legend_place->top};
-  for (const Curve* curve : layout.legend) {
-    const double y = corner.y + row / 2;
-    if (curve->series->style == Style::dots) {
-      canvas.disc({corner.x + sample / 2, y}, dot_radius, curve->pen.color);
-    } else {
-      canvas.line({{corner.x, y}, {corner.x + sample, y}}, curve->pen);
-    }
-    canvas.text({corner.x + sample + gap, y + 0.36 * small}, curve->series->label, {small});
-    corner.y += row;
+void draw_legend(Canvas& canvas, const PlotLayout& layout) {
+  if (layout.legend_box) canvas.rectangle(*layout.legend_box, white); // lines of the grid end at it
+  for (const LegendEntry& entry : layout.legend) {
+    const double y = entry.corner.y + legend_row / 2, x = entry.corner.x;
+    const Series& series = *entry.curve->series;
+    const Spot middle{x + legend_sample / 2, y};
+    if (series.style != Style::dots)
+      canvas.line({{x, y}, {x + legend_sample, y}}, entry.curve->pen);
+    else if (series.marker == Marker::none)
+      canvas.disc(middle, dot_radius, entry.curve->pen.color);
+    draw_marker(canvas, series.marker, middle, entry.curve->pen.color);
+    draw_lines(canvas, {x + legend_sample + gap, y + 0.36 * small_font}, entry.lines, {small_font});
   }
 }
 
-void draw(Canvas& canvas, const Plot& plot) {
-  Layout layout = lay_out(plot, false);
-  if (!layout.legend_place) layout = lay_out(plot, true);
-  draw_axes(canvas, plot, layout.axes);
+void draw(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
+  draw_axes(canvas, layout);
   draw_references(canvas, plot, layout);
   draw_curves(canvas, layout.curves, layout.axes.area);
   draw_legend(canvas, layout);
@@ -224,22 +126,29 @@ void draw(Canvas& canvas, const Plot& plot) {
 
 } // namespace
 
-Pen series_pen(std::size_t number) {
-  const std::array<std::vector<double>, 4> dashes{{{}, {6, 4}, {0.1, 3.5}, {9, 4, 0.1, 4}}};
-  return {palette[number % palette.size()], curve_width, dashes[number / palette.size() % dashes.size()]};
+Pen pen_of(const Series& series, std::size_t number) {
+  Pen pen = series_pen(number);
+  if (series.color) pen.color = *series.color;
+  if (series.style == Style::solid && !series.color) return pen;
+  pen.dashes = series.dashes;
+  if (series.style == Style::dashed) pen.dashes = {7, 5};
+  if (series.style == Style::dotted) pen.dashes = {0.1, 4};
+  return pen;
 }
 
 std::string svg_text(const Plot& plot) {
-  const auto canvas = make_svg_canvas(plot.width, plot.height);
-  draw(*canvas, plot);
+  const PlotLayout layout = lay_out(plot);
+  const auto canvas = make_svg_canvas(layout.width, layout.height);
+  draw(*canvas, plot, layout);
   return canvas->encode();
 }
 
 void write_svg(const std::filesystem::path& path, const Plot& plot) { write_atomically(path, svg_text(plot)); }
 
 void write_png(const std::filesystem::path& path, const Plot& plot) {
-  RasterCanvas canvas(plot.width, plot.height, 2.5);
-  draw(canvas, plot);
+  const PlotLayout layout = lay_out(plot);
+  RasterCanvas canvas(layout.width, layout.height, 2.5);
+  draw(canvas, plot, layout);
   write_atomically(path, canvas.encode());
 }
 

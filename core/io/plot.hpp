@@ -1,6 +1,7 @@
 /// Curves over one pair of axes, as SVG for papers and as PNG for a glance.
 #pragma once
 
+#include "core/io/pens.hpp"
 #include "core/io/scale.hpp"
 
 #include <filesystem>
@@ -12,18 +13,19 @@ namespace riedel {
 
 enum class Style { solid, dashed, dotted, dots };
 
-/// Values that are not finite interrupt the curve.
+/// Values that are not finite interrupt the curve; one that stands alone between them is a dot.
 struct Series {
   std::string label; ///< empty: not in the legend
   std::vector<double> x, y;
   Style style = Style::solid;
   std::optional<Color> color = {}; ///< by default the next of a palette that the colour-blind can tell apart
   std::string id = {};             ///< by which a page finds the curve in an SVG again
+  std::vector<double> dashes = {}; ///< of a solid curve with a colour of its own
+  Marker marker = Marker::none;    ///< at every point
 };
 
-/// The pen of the n-th curve that has neither colour nor style of its own: the palette again and again, with other
-/// dashes each time.
-Pen series_pen(std::size_t number);
+/// The pen of a plot's n-th curve.
+Pen pen_of(const Series& series, std::size_t number);
 
 /// A horizontal line, for instance at a peak value of the literature.
 struct ReferenceLine {
@@ -31,13 +33,16 @@ struct ReferenceLine {
   std::string label; ///< stands on the line, where no curve passes
 };
 
+/// Texts that are too long for their place go on in the next line. A legend stands among the curves, else beside them,
+/// else, in columns, beneath them, where the sheet becomes as much higher as it needs.
 struct Plot {
   std::string title, x_label, y_label; ///< UTF-8; with the unit, as in "mobilised friction angle φ [°]"
   std::vector<Series> series;
   std::vector<ReferenceLine> references = {};
-  bool log_x = false; ///< decimal logarithm across; values that have none interrupt the curve
+  bool log_x = false, log_y = false;                  ///< decimal logarithm; values that have none interrupt the curve
   std::optional<Interval> x_range = {}, y_range = {}; ///< from the data if not given; curves are cut at the axes
-  double width = 640, height = 440;                   ///< a PNG has 2.5 pixels for each
+  double width = 640, height = 440;                   ///< without the legend beneath; a PNG has 2.5 pixels for each
+  std::vector<double> x_ticks = {};                   ///< where they are not to be round numbers
 };
 
 /// All throw RunError with path and reason if the file cannot be written, and InputError if a curve has not as many x

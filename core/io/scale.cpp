@@ -8,15 +8,17 @@
 namespace riedel {
 
 void Extent::add(double value) {
-  if (!std::isfinite(value)) return;
+  constexpr double most = 1e300; // the width of the interval must be a number, too
+  if (!(std::abs(value) <= most)) return;
   low_ = std::min(low_, value);
   high_ = std::max(high_, value);
 }
 
 Interval Extent::interval(double margin) const {
   if (low_ > high_) return {0, 1};
-  if (high_ - low_ <= 1e-12 * std::abs(high_) || high_ == low_) { // all the same, but for rounding
-    const double half = high_ != 0 ? 0.05 * std::abs(high_) : 0.5;
+  const double size = std::max(std::abs(low_), std::abs(high_));
+  if (high_ - low_ <= 1e-12 * size || size < 1e-300) { // all the same, but for rounding
+    const double half = size < 1e-300 ? 0.5 : 0.05 * size;
     return {low_ - half, high_ + half};
   }
   const double extra = margin * (high_ - low_);
@@ -29,11 +31,38 @@ std::vector<double> round_ticks(const Interval& interval, int about) {
   double step = 10 * power;
   for (double factor : {5.0, 2.0, 1.0})
     if (factor * power >= 0.7 * rough) step = factor * power;
+  const double size = std::max(std::abs(interval.low), std::abs(interval.high));
+  if (!(step > 1e-15 * size)) return {interval.low};
+  const double slack = 1e-9 * interval.width(), first = std::ceil((interval.low - slack) / step);
   std::vector<double> ticks;
-  const double slack = 1e-9 * interval.width();
-  for (double k = std::ceil((interval.low - slack) / step); k * step <= interval.high + slack; ++k)
-    ticks.push_back(k * step);
+  for (int k = 0; (first + k) * step <= interval.high + slack; ++k) ticks.push_back((first + k) * step);
   return ticks;
+}
+
+namespace {
+
+/// An exponent as a label has it. @param decimals of the mantissa
+std::string with_exponent(double mantissa, int exponent, int decimals) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*fe%s%d", decimals, mantissa, exponent < 0 ? "−" : "", std::abs(exponent));
+  return text.data();
+}
+
+/// Of a positive number with so many digits at most.
+std::string digits_of(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  std::string number = text.data();
+  const std::size_t e = number.find('e');
+  if (e == std::string::npos) return number;
+  return number.substr(0, e) + with_exponent(0, std::stoi(number.substr(e + 1)), 0).substr(1);
+}
+
+} // namespace
+
+std::string plain_number(double value) {
+  if (!std::isfinite(value)) return "–";
+  return (value < 0 ? "−" : "") + digits_of(std::abs(value), 6);
 }
 
 std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
@@ -42,42 +71,47 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : std::max(largest, 1e-300);
   const bool powers = largest >= 1e5 || (largest > 0 && largest < 1e-3);
   const double unit = powers ? std::pow(10.0, std::floor(std::log10(largest) + 1e-9)) : 1;
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step / unit) + 1e-9)));
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step / unit) + 0.05)));
 
   std::vector<std::string> labels;
   for (double tick : ticks) {
     std::array<char, 64> text{};
     const double shown = std::abs(tick) < step / 2 ? 0 : std::abs(tick);
-    if (powers && shown > 0) {
-      const int exponent = static_cast<int>(std::lround(std::log10(unit)));
-      std::snprintf(text.data(), text.size(), "%.*fe%d", decimals, shown / unit, exponent);
-    } else {
-      std::snprintf(text.data(), text.size(), "%.*f", powers ? 0 : decimals, shown);
-    }
-    labels.push_back((shown > 0 && tick < 0 ? "−" : "") + std::string(text.data()));
+    std::snprintf(text.data(), text.size(), "%.*f", powers ? 0 : decimals, shown);
+    const bool power = powers && shown > 0;
+    const int exponent = power ? static_cast<int>(std::lround(std::log10(unit))) : 0;
+    labels.push_back((shown > 0 && tick < 0 ? "−" : "") +
+                     (power ? with_exponent(shown / unit, exponent, decimals) : std::string(text.data())));
   }
   return labels;
 }
 
-std::vector<double> log_ticks(const Interval& logarithms) {
+std::vector<double> log_ticks(const Interval& logarithms, int most) {
   constexpr double slack = 1e-9;
+  const double decades = logarithms.width();
+  const double stride = std::max(1.0, std::ceil(decades / most));
   std::vector<double> ticks;
-  const bool few = logarithms.width() < 2.5;
-  for (double power = std::floor(logarithms.low); power <= logarithms.high; ++power)
+  const bool few = 3 * decades <= most;
+  for (double power = std::floor(logarithms.low / stride) * stride; power <= logarithms.high; power += stride)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double tick = power + std::log10(factor);
       const bool inside = tick >= logarithms.low - slack && tick <= logarithms.high + slack;
       if (inside && (few || factor == 1.0)) ticks.push_back(tick);
     }
+  if (ticks.size() >= 2) return ticks;
+  ticks.clear();
+  for (const double tick :
+       round_ticks({std::pow(10.0, logarithms.low), std::pow(10.0, logarithms.high)}, std::min(most, 4)))
+    ticks.push_back(std::log10(tick));
   return ticks;
 }
 
 std::vector<std::string> log_tick_labels(const std::vector<double>& ticks) {
   std::vector<std::string> labels;
-  for (const double tick : ticks) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", std::pow(10.0, tick));
-    labels.emplace_back(text.data());
+  for (int digits = 6; digits <= 16; ++digits) { // until no two are alike
+    labels.clear();
+    for (const double tick : ticks) labels.push_back(digits_of(std::pow(10.0, tick), digits));
+    if (std::ranges::adjacent_find(labels) == labels.end()) break;
   }
   return labels;
 }

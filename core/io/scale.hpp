@@ -16,7 +16,7 @@ struct Interval {
   [[nodiscard]] double part(double value) const { return (value - low) / (high - low); } ///< 0 at low, 1 at high
 };
 
-/// The range of the finite ones among the values it is given.
+/// The range of the values it is given, without those that are not finite, or beyond what an axis can span (1e300).
 class Extent {
 public:
   void add(double value);
@@ -28,18 +28,22 @@ private:
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-/// Multiples of 1, 2 or 5 times a power of ten within the interval, about as many as asked for.
+/// Multiples of 1, 2 or 5 times a power of ten within the interval, about as many as asked for; its low end where it is
+/// too narrow for numbers to tell ticks apart.
 std::vector<double> round_ticks(const Interval& interval, int about);
 
-/// Ticks of a logarithmic axis: powers of ten within the interval of decimal logarithms, with 2 and 5 times these where
-/// the interval is short. @return decimal logarithms
-std::vector<double> log_ticks(const Interval& logarithms);
+/// Ticks of a logarithmic axis: powers of ten within the interval of decimal logarithms; where it is short, 2 and 5
+/// times these, too, or round numbers; where it is long, not every one. @return decimal logarithms
+std::vector<double> log_ticks(const Interval& logarithms, int most = 10);
 
 /// The label of each tick on a logarithmic axis.
 std::vector<std::string> log_tick_labels(const std::vector<double>& ticks);
 
 /// Labels of those ticks with just the decimals that tell them apart, and a true minus sign.
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);
+
+/// A number in the fewest digits, such as "4", "0.55" or "2e−6".
+std::string plain_number(double value);
 
 /// The colour map viridis: dark purple at 0, yellow at 1, evenly perceived between, in print and by the colour-blind.
 Color viridis(double part);

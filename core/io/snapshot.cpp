@@ -2,32 +2,54 @@
 
 #include "core/base/tensor.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace riedel {
 
 namespace {
 
-/// Adds fields of a body's points, reading them in the order of their ids.
+/// Adds fields of one body after the other, reading its points in the order of their ids.
 template <int Dim>
 class FieldList {
 public:
-  FieldList(const Points<Dim>& points, std::vector<Field>& fields) : points_(points), fields_(fields) {}
+  /// @param before number of points of the bodies before this one
+  FieldList(const Body<Dim>& body, std::size_t before, std::vector<Field>& fields)
+      : points_(body.points), body_(body.name), before_(before), fields_(fields) {}
 
   template <class Value>
-  void add(const std::string& name, int components, const std::string& unit, const Value& value) {
-    Field field{.name = name, .components = components, .unit = unit, .values = {}};
-    field.values.reserve(points_.place.size() * static_cast<std::size_t>(components));
+  Field& add(const std::string& name, int components, const std::string& unit, const Value& value) {
+    Field& field = field_of(name, components, unit);
     for (const Index p : points_.place)
       for (int c = 0; c < components; ++c) field.values.push_back(value(p, c));
-    fields_.push_back(std::move(field));
+    return field;
   }
   void add(const std::string& name, const std::string& unit, const Columns& columns, int first = 0, int count = 1) {
     add(name, count, unit, [&](Index p, int c) { return columns[first + c][p]; });
   }
+  /// Fields that only other bodies have are no numbers in this one.
+  void fill_gaps() {
+    for (Field& field : fields_) fill(field, before_ + points_.place.size());
+  }
 
 private:
+  static void fill(Field& field, std::size_t points) {
+    field.values.resize(points * static_cast<std::size_t>(field.components), std::numeric_limits<double>::quiet_NaN());
+  }
+  /// Two laws may mean different things by one name; the later one's then bears its body's name, too.
+  Field& field_of(const std::string& name, int components, const std::string& unit) {
+    const auto known = std::ranges::find(fields_, name, &Field::name);
+    if (known != fields_.end() && known->components == components && known->unit == unit) return *known;
+    if (known != fields_.end()) return field_of(name + "_" + body_, components, unit);
+    fields_.push_back({.name = name, .components = components, .unit = unit, .values = {}});
+    fill(fields_.back(), before_);
+    return fields_.back();
+  }
+
   const Points<Dim>& points_;
+  const std::string& body_;
+  std::size_t before_;
   std::vector<Field>& fields_;
 };
 
@@ -54,33 +76,85 @@ double polar_rotation(const Mat<Dim>& F) {
   return std::atan2(F(1, 0) - F(0, 1), F(0, 0) + F(1, 1)) * 180.0 / std::numbers::pi;
 }
 
+/// √(3/2) ‖s‖ [Pa]
+double von_mises(const Columns& stress, Index p) {
+  Sym<double> sigma{};
+  for (int c = 0; c < 6; ++c) sigma.m[static_cast<std::size_t>(c)] = stress[c][p];
+  return std::sqrt(1.5) * norm(deviator(sigma));
+}
+
+/// Component of a 3 × 3 tensor, row by row; out of the plane nothing deforms.
 template <int Dim>
-void add_fields(const Body<Dim>& body, std::vector<Field>& fields) {
-  const Points<Dim>& points = body.points;
-  FieldList<Dim> list(points, fields);
-  list.add("id", 1, "-", [&](Index p, int) { return points.id[static_cast<std::size_t>(p)]; });
+double component_of(const Columns& tensor, Index p, int c) {
+  const int i = c / 3, j = c % 3;
+  if (i < Dim && j < Dim) return tensor[i * Dim + j][p];
+  return i == j ? 1.0 : 0.0;
+}
+
+template <int Dim>
+void add_state(const Body<Dim>& body, FieldList<Dim>& list) {
+  const Columns& state = body.points.state;
   int column = 0;
   for (const StateVariable& variable : body.material->states()) {
     const int first = column;
     if (variable.components == 6)
-      list.add(variable.name, 6, variable.unit,
-               [&](Index p, int c) { return tensor_component(points.state, first, p, c); });
+      list.add(variable.name, 6, variable.unit, [&](Index p, int c) { return tensor_component(state, first, p, c); });
     else
-      list.add(variable.name, variable.unit, points.state, first, variable.components);
+      list.add(variable.name, variable.unit, state, first, variable.components);
     column += variable.components;
   }
+}
+
+template <int Dim>
+void add_stress_and_rates(const Body<Dim>& body, FieldList<Dim>& list) {
+  const Points<Dim>& points = body.points;
   list.add("shear_strain", "-", points.shear_strain);
   list.add("stress", 6, "Pa", [&](Index p, int c) { return tensor_component(points.stress, 0, p, c); });
   list.add("mean_pressure", 1, "Pa",
            [&](Index p, int) { return -(points.stress[0][p] + points.stress[1][p] + points.stress[2][p]) / 3.0; });
+  list.add("q", 1, "Pa", [&](Index p, int) { return von_mises(points.stress, p); });
+  list.add("work", 1, "J/m3", [&](Index p, int) { return points.work[0][p] / points.initial_volume[0][p]; });
   list.add("rate_norm", "1/s", points.rate_norm);
   if (body.averager) list.add("averaged", averaged_unit(body), points.averaged);
+}
+
+/// @param start of the body's points, by id; empty: not known
+template <int Dim>
+void add_motion(const Body<Dim>& body, const std::vector<Vec<Dim>>& start, FieldList<Dim>& list) {
+  const Points<Dim>& points = body.points;
   list.add("velocity", 3, "m/s", [&](Index p, int c) { return c < Dim ? points.velocity[c][p] : 0.0; });
+  if (!start.empty())
+    list.add("displacement", 3, "m", [&](Index p, int c) {
+      const auto id = static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)]);
+      return c < Dim ? points.position[c][p] - start[id][c] : 0.0;
+    });
   list.add("volume", Dim == 2 ? "m2" : "m3", points.volume);
   list.add("mass", Dim == 2 ? "kg/m" : "kg", points.mass);
   list.add("volume_ratio", 1, "-", [&](Index p, int) { return points.volume[0][p] / points.initial_volume[0][p]; });
   list.add("polar_rotation", 1, "deg",
            [&](Index p, int) { return polar_rotation<Dim>(points.deformation_gradient_of(p)); });
+  list.add("deformation_gradient", 9, "-",
+           [&](Index p, int c) { return component_of<Dim>(points.deformation_gradient, p, c); });
+}
+
+template <int Dim>
+void add_fields(const State<Dim>& state, const StartPlaces<Dim>& start, std::vector<Field>& fields) {
+  std::size_t before = 0;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const Body<Dim>& body = state.bodies[b];
+    FieldList<Dim> list(body, before, fields);
+    list.add("id", 1, "-",
+             [&](Index p, int) {
+               return static_cast<double>(before) + static_cast<double>(body.points.id[static_cast<std::size_t>(p)]);
+             })
+        .whole = true;
+    list.add("body", 1, "-", [&](Index, int) { return static_cast<double>(b); }).whole = true;
+    add_state(body, list);
+    add_stress_and_rates(body, list);
+    add_motion(body, start.empty() ? std::vector<Vec<Dim>>{} : start[b], list);
+    list.fill_gaps();
+    before += body.points.place.size();
+  }
 }
 
 /// Corners in VTK's order: counter-clockwise, the lower face first.
@@ -94,20 +168,32 @@ void add_corners(const Corners<Dim>& of_domain, std::vector<double>& corners) {
 } // namespace
 
 template <int Dim>
-Frame snapshot(const Simulation<Dim>& simulation, double u_over_h) {
+StartPlaces<Dim> places_of(const State<Dim>& state) {
+  StartPlaces<Dim> places;
+  for (const Body<Dim>& body : state.bodies) {
+    places.emplace_back();
+    for (const Index p : body.points.place) places.back().push_back(body.points.position_of(p));
+  }
+  return places;
+}
+
+template <int Dim>
+Frame snapshot(const Simulation<Dim>& simulation, double u_over_h, const StartPlaces<Dim>& start) {
   const State<Dim>& state = simulation.state();
   Frame frame{.dimension = Dim, .time = state.time, .u_over_h = u_over_h, .position = {}, .corners = {}, .fields = {}};
-  const Body<Dim>& body = state.bodies.front();
-  for (const Index p : body.points.place) {
-    const Vec<Dim> x = body.points.position_of(p);
-    for (int a = 0; a < 3; ++a) frame.position.push_back(a < Dim ? x[a] : 0.0);
-    add_corners<Dim>(simulation.model().scheme->corners(state.grid, body.points, p), frame.corners);
-  }
-  add_fields(body, frame.fields);
+  for (const Body<Dim>& body : state.bodies)
+    for (const Index p : body.points.place) {
+      const Vec<Dim> x = body.points.position_of(p);
+      for (int a = 0; a < 3; ++a) frame.position.push_back(a < Dim ? x[a] : 0.0);
+      add_corners<Dim>(simulation.model().scheme->corners(state.grid, body.points, p), frame.corners);
+    }
+  add_fields(state, start, frame.fields);
   return frame;
 }
 
-template Frame snapshot<2>(const Simulation<2>&, double);
-template Frame snapshot<3>(const Simulation<3>&, double);
+template StartPlaces<2> places_of<2>(const State<2>&);
+template StartPlaces<3> places_of<3>(const State<3>&);
+template Frame snapshot<2>(const Simulation<2>&, double, const StartPlaces<2>&);
+template Frame snapshot<3>(const Simulation<3>&, double, const StartPlaces<3>&);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// A simulation at one instant, as a frame for files and pictures.
+/// A simulation as a frame for files and pictures.
 #pragma once
 
 #include "core/io/frame.hpp"
@@ -6,10 +6,20 @@
 
 namespace riedel {
 
-/// Points in the order of their ids, with every field, the law's state variables under their own names, and the domains
-/// that the scheme gives them. Polar rotation is the angle of R in F = R U, in 3-D of F's part in the plane x-y,
-/// positive counter-clockwise [deg].
+/// Where the points of each body stood at the start, by their ids [m].
 template <int Dim>
-Frame snapshot(const Simulation<Dim>& simulation, double u_over_h);
+using StartPlaces = std::vector<std::vector<Vec<Dim>>>;
+
+/// Where the points of each body stand now.
+template <int Dim>
+StartPlaces<Dim> places_of(const State<Dim>& state);
+
+/// Every body's points, one body after the other and in the order of their ids, with every field, the laws' state
+/// variables under their own names, and the domains that the scheme gives them. What a body's law does not have is not
+/// a number there. Polar rotation is the angle of R in F = R U, in 3-D of F's part in the plane x-y, positive
+/// counter-clockwise [deg]. Rigid bodies, which carry no stress, are left out.
+/// @param start from which points are displaced; without it there is no displacement
+template <int Dim>
+Frame snapshot(const Simulation<Dim>& simulation, double u_over_h, const StartPlaces<Dim>& start = {});
 
 } // namespace riedel

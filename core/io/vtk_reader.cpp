@@ -1,6 +1,7 @@
 #include "core/io/vtk_reader.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/input_file.hpp"
 
 #include <vtkCellData.h>
 #include <vtkCommand.h>
@@ -10,16 +11,17 @@
 #include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <charconv>
-#include <fstream>
+#include <cmath>
 #include <sstream>
 
 namespace riedel {
 namespace {
-
-constexpr std::size_t corners_of_quad = 4;
 
 /// Notes that something went wrong.
 class Listener final : public vtkCommand {
@@ -51,13 +53,22 @@ std::string attribute(const std::string& line, const std::string& name) {
   return line.substr(from, line.find('"', from) - from);
 }
 
+/// Below the folder that it is told in, as frames are: "../" leads elsewhere.
+bool stays_inside(const std::filesystem::path& path) {
+  return path.is_relative() && std::ranges::find(path, std::filesystem::path("..")) == path.end();
+}
+
 double number_in(vtkFieldData* data, const char* name) {
   vtkDataArray* array = data->GetArray(name);
   return array != nullptr && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0.0;
 }
 
 Field field_of(vtkDataArray& array) {
-  Field field{.name = array.GetName(), .components = array.GetNumberOfComponents(), .unit = "", .values = {}};
+  Field field{.name = array.GetName() == nullptr ? "" : array.GetName(),
+              .components = array.GetNumberOfComponents(),
+              .unit = "",
+              .values = {},
+              .whole = array.GetDataType() != VTK_FLOAT && array.GetDataType() != VTK_DOUBLE};
   if (vtkInformation* information = array.GetInformation(); information->Has(vtkDataArray::UNITS_LABEL()) != 0)
     field.unit = information->Get(vtkDataArray::UNITS_LABEL());
   field.values.reserve(static_cast<std::size_t>(array.GetNumberOfValues()));
@@ -66,16 +77,16 @@ Field field_of(vtkDataArray& array) {
   return field;
 }
 
-/// The mean of every four corners.
-std::vector<double> middles(const std::vector<double>& corners) {
-  std::vector<double> position(corners.size() / corners_of_quad, 0.0);
+/// The mean of the corners of every cell.
+std::vector<double> middles(const std::vector<double>& corners, std::size_t corners_of_cell) {
+  std::vector<double> position(corners.size() / corners_of_cell, 0.0);
   for (std::size_t i = 0; i < corners.size(); ++i)
-    position[i / (3 * corners_of_quad) * 3 + i % 3] += corners[i] / corners_of_quad;
+    position[i / (3 * corners_of_cell) * 3 + i % 3] += corners[i] / static_cast<double>(corners_of_cell);
   return position;
 }
 
-Frame frame_of(vtkPolyData& data) {
-  Frame frame{.dimension = 2,
+Frame frame_of(vtkPointSet& data, int dimension) {
+  Frame frame{.dimension = dimension,
               .time = number_in(data.GetFieldData(), "TimeValue"),
               .u_over_h = number_in(data.GetFieldData(), "u_over_h"),
               .position = {},
@@ -83,9 +94,26 @@ Frame frame_of(vtkPolyData& data) {
               .fields = {}};
   for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
     for (int a = 0; a < 3; ++a) frame.corners.push_back(data.GetPoint(i)[a]);
-  frame.position = middles(frame.corners);
+  const auto corners_of_cell = static_cast<std::size_t>(frame.corners_per_point());
+  if (frame.corners.size() % (3 * corners_of_cell) != 0) return frame;
+  frame.position = middles(frame.corners, corners_of_cell);
   for (int a = 0; a < data.GetCellData()->GetNumberOfArrays(); ++a)
     if (vtkDataArray* array = data.GetCellData()->GetArray(a)) frame.fields.push_back(field_of(*array));
+  return frame;
+}
+
+/// @throws InputError where VTK finds the file damaged
+template <class Reader>
+Frame read_with(const std::filesystem::path& path, int dimension) {
+  const Silence silence;
+  vtkNew<Reader> reader;
+  vtkNew<Listener> listener;
+  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) reader->AddObserver(event, listener);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  Frame frame = frame_of(*reader->GetOutput(), dimension);
+  if (listener->heard_error || frame.points() == 0)
+    throw InputError(path.string() + ": is damaged, or no file of domains");
   return frame;
 }
 
@@ -94,13 +122,15 @@ Frame frame_of(vtkPolyData& data) {
 std::vector<FrameFile> frame_files(const std::filesystem::path& folder) {
   const std::filesystem::path index = folder / "domains.pvd";
   std::vector<FrameFile> files;
-  std::ifstream file(index);
-  for (std::string line; std::getline(file, line);) {
+  if (!std::filesystem::exists(index)) return files;
+  std::istringstream text(read_input_file(index));
+  for (std::string line; std::getline(text, line);) {
     if (line.find("<DataSet") == std::string::npos) continue;
     const std::string time = attribute(line, "timestep"), name = attribute(line, "file");
     FrameFile entry{.path = folder / name};
     const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
-    if (name.empty() || error != std::errc{} || end != time.data() + time.size())
+    if (name.empty() || !stays_inside(name) || error != std::errc{} || end != time.data() + time.size() ||
+        !std::isfinite(entry.time))
       throw InputError(index.string() + ": cannot be understood: " + line);
     files.push_back(std::move(entry));
   }
@@ -108,16 +138,12 @@ std::vector<FrameFile> frame_files(const std::filesystem::path& folder) {
 }
 
 Frame read_frame(const std::filesystem::path& path) {
-  if (path.extension() != ".vtp") throw InputError(path.string() + ": is no frame in two dimensions");
-  if (!std::filesystem::exists(path)) throw InputError(path.string() + ": is missing");
-  const Silence silence;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  vtkNew<Listener> listener;
-  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) reader->AddObserver(event, listener);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  Frame frame = frame_of(*reader->GetOutput());
-  if (listener->heard_error || frame.points() == 0 || frame.corners.size() % (3 * corners_of_quad) != 0)
+  const bool flat = path.extension() == ".vtp";
+  if (!flat && path.extension() != ".vtu")
+    throw InputError(path.string() + ": is no frame, which ends in .vtp or .vtu");
+  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is missing, or no file");
+  Frame frame = flat ? read_with<vtkXMLPolyDataReader>(path, 2) : read_with<vtkXMLUnstructuredGridReader>(path, 3);
+  if (!std::ranges::all_of(frame.corners, [](double x) { return std::isfinite(x); }))
     throw InputError(path.string() + ": is damaged, or no file of domains");
   try {
     frame.check();

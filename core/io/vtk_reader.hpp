@@ -18,8 +18,9 @@ struct FrameFile {
 /// @throws InputError that names the file when it cannot be understood
 std::vector<FrameFile> frame_files(const std::filesystem::path& folder);
 
-/// A frame with domains and fields in two dimensions, to float precision; a point's position is the mean of its
-/// domain's corners. @throws InputError that names the file when it is missing, damaged, or of three dimensions
+/// A frame with domains and fields, to float precision, in two dimensions (.vtp) or three (.vtu), compressed by
+/// whatever VTK knows; a point's position is the mean of its domain's corners.
+/// @throws InputError that names the file when it is missing or damaged
 Frame read_frame(const std::filesystem::path& path);
 
 } // namespace riedel

@@ -25,6 +25,7 @@ struct Points {
   Columns rate_norm{1};                    ///< ‖D‖ [1/s]
   Columns averaged{1};                     ///< non-local average of the scalar the law names
   Columns shear_strain{1};                 ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
+  Columns work{1};                         ///< ∫ V_p σ:D dt, done on the point by its stress [J or J/m]
   Columns of_scheme{0};                    ///< what the interpolation scheme keeps for each point
   std::vector<Index> id;                   ///< number of the point at the start, kept when points are sorted
   std::vector<Index> place;                ///< where the point of a given id stands now: id[place[i]] = i
@@ -35,9 +36,22 @@ struct Points {
   void resize(Index size, int states);
 
   /// Every field but the numbering, for sorting and for checkpoints.
-  [[nodiscard]] std::array<Columns*, 15> fields() {
-    return {&position,          &velocity, &mass,   &volume, &initial_volume, &half_size, &deformation_gradient,
-            &velocity_gradient, &stress,   &affine, &state,  &rate_norm,      &averaged,  &shear_strain,
+  [[nodiscard]] std::array<Columns*, 16> fields() {
+    return {&position,
+            &velocity,
+            &mass,
+            &volume,
+            &initial_volume,
+            &half_size,
+            &deformation_gradient,
+            &velocity_gradient,
+            &stress,
+            &affine,
+            &state,
+            &rate_norm,
+            &averaged,
+            &shear_strain,
+            &work,
             &of_scheme};
   }
 

@@ -75,7 +75,8 @@ public:
   }
   void take_average(const double* averaged) { batch_.averaged = averaged ? averaged + range_.begin : nullptr; }
 
-  /// Rotates the stress and fills the rates of deformation. @return Σ V σ:D of the rotated stress [W or W/m]
+  /// Rotates the stress and fills the rates of deformation. @return Σ V σ:D of the rotated stress [W or W/m], of
+  /// which half a step goes to the work of each point
   template <ObjectiveRate objective>
   double rotate_and_fill_rates() {
     const Columns& L = points_.velocity_gradient;
@@ -94,16 +95,16 @@ public:
           stress.m[c].store(points_.stress[c] + p);
           density += stress.m[c] * d;
         }
-      return Pack::load(points_.volume[0] + p) * density;
+      return add_to_work(p, density);
     });
   }
-  /// Σ V σ:D with the stress as it is now [W or W/m]
-  [[nodiscard]] double power() const {
+  /// The same with the stress as it is now.
+  double power() {
     return sum_over_packs([&](Index p, Index i) {
       Pack density(0.0);
       for (const int c : components_of_motion<Dim>)
         density += Pack::load(points_.stress[c] + p) * Pack::load(D_[c].data() + i);
-      return Pack::load(points_.volume[0] + p) * density;
+      return add_to_work(p, density);
     });
   }
 
@@ -127,6 +128,14 @@ private:
                                                   : i == j ? one_.data()
                                                            : none_.data();
       }
+  }
+
+  /// @param density σ:D of eight points [W/m³]   @return V σ:D
+  Pack add_to_work(Index p, const Pack& density) {
+    const Pack power = Pack::load(points_.volume[0] + p) * density;
+    double* const work = points_.work[0] + p;
+    (Pack::load(work) + Pack(0.5 * batch_.time_step) * power).store(work);
+    return power;
   }
 
   /// Σ of `part(p, i)`, p the first of eight points and i its place in the block; padded points have no volume.

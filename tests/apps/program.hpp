@@ -23,8 +23,10 @@ struct Outcome {
 class Process {
 public:
   /// @param largest_file no file may grow beyond it, as if the disk were full then [bytes]
-  Process(const TemporaryFolder& folder, const Words& words, rlim_t largest_file = RLIM_INFINITY)
-      : out_(folder / "stdout"), err_(folder / "stderr") {
+  /// @param name before those of the two files, for programs that run at the same time
+  Process(const TemporaryFolder& folder, const Words& words, rlim_t largest_file = RLIM_INFINITY,
+          const std::string& name = "")
+      : out_(folder / (name + "stdout")), err_(folder / (name + "stderr")) {
     std::vector<char*> argv{const_cast<char*>(RIEDEL_PROGRAM)};
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);

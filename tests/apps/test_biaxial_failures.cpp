@@ -138,6 +138,34 @@ TEST_F(BiaxialFailure, AFolderThatCannotBeWrittenEndsBeforeTheRun) {
   EXPECT_EQ(file_content(out_), "a file in the way");
 }
 
+TEST_F(BiaxialFailure, APictureThatCannotBeDrawnLeavesAFinishedRun) {
+  fs::create_directories(out_ / "shear_strain.png" / "x");
+  const Outcome outcome = run_coarse({"--force"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("riedel: warning: the pictures could not be written"),
+                                 HasSubstr("shear_strain.png: Is a directory")));
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_TRUE(fs::exists(out_ / "shear_strain.png" / "x"));
+}
+
+TEST_F(BiaxialFailure, ARunThatCannotBeginLeavesTheEarlierResults) {
+  ASSERT_EQ(run_coarse({"--set", "output.vtk=false"}).code, 0);
+  folder_.file("out/points", "in the way of frames");
+  const auto before = files_in(out_);
+  EXPECT_EQ(run_coarse({"--force"}).code, 2);
+  EXPECT_EQ(files_in(out_), before);
+}
+
+TEST_F(BiaxialFailure, FramesGoThroughNoLink) {
+  fs::create_directories(folder_ / "elsewhere");
+  fs::create_directories(out_);
+  fs::create_directory_symlink(folder_ / "elsewhere", out_ / "points");
+  const Outcome outcome = run_coarse({});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("points: is a symbolic link"));
+  EXPECT_TRUE(fs::is_empty(folder_ / "elsewhere"));
+}
+
 TEST_F(BiaxialFailure, ACaseThatIsWrongLeavesNoFolder) {
   const Outcome outcome = run_coarse({"--set", "scheme=gmip"});
   EXPECT_EQ(outcome.code, 2);

@@ -78,9 +78,14 @@ TEST(MeanOverDepth, IsAFrameOfThePlane) {
     for (const double face : {z, z + 1})
       for (const auto& [x, y] : {std::pair{0, 1}, {2, 1}, {2, 3}, {0, 3}})
         slab.corners.insert(slab.corners.end(), {x + z, y + z, face});
-  slab.fields = {{"id", 1, "-", {0, 1}}, {"volume", 1, "m3", {6, 10}}, {"velocity", 3, "m/s", {1, 2, 3, 5, 6, 7}}};
+  slab.fields = {{"id", 1, "-", {0, 1}, true},
+                 {"volume", 1, "m3", {6, 10}},
+                 {"volume_ratio", 1, "-", {1, 1}},
+                 {"velocity", 3, "m/s", {1, 2, 3, 5, 6, 7}},
+                 {"displacement", 3, "m", {0, 0, 0, 2, 2, 0}}};
   slab.check();
-  const Frame plane = mean_over_depth(slab, 2, 2.0);
+  EXPECT_DOUBLE_EQ(depth_of(slab), 2.0);
+  const Frame plane = mean_over_depth(slab, 2.0);
   plane.check();
   EXPECT_EQ(plane.dimension, 2);
   EXPECT_THAT(plane.position, ElementsAre(2, 3, 0));
@@ -89,6 +94,33 @@ TEST(MeanOverDepth, IsAFrameOfThePlane) {
   EXPECT_EQ(plane.field("volume").unit, "m2");
   EXPECT_THAT(plane.field("velocity").values, ElementsAre(3, 4, 5));
   EXPECT_FALSE(plane.has("id"));
+}
+
+/// Two layers of 3 × 2 points, the second body's last: what counts is where the points stood, not their order.
+TEST(MeanOverDepth, FindsThePointsBehindOneAnotherInAnyOrder) {
+  Frame slab{.dimension = 3, .position = {}, .corners = {}, .fields = {}};
+  Field e{"void_ratio", 1, "-", {}}, u{"displacement", 3, "m", {}};
+  for (const bool second : {false, true})
+    for (const double z : {0.0, 1.0})
+      for (int i = 0; i < 6; ++i) {
+        const double x = i % 3, y = i / 3;
+        if ((x == 1) != second) continue;
+        slab.position.insert(slab.position.end(), {x + 0.4 * y + 0.1 * z, y, z});
+        u.values.insert(u.values.end(), {0.4 * y + 0.1 * z, 0.0, 0.0});
+        e.values.push_back(x + 10 * y + 100 * z);
+        for (const double face : {z, z + 1})
+          for (const auto& [a, b] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+            slab.corners.insert(slab.corners.end(), {x + a, y + b, face});
+      }
+  const std::vector<double> ones(slab.points(), 1.0);
+  slab.fields = {e, u, {"volume", 1, "m3", ones}, {"volume_ratio", 1, "-", ones}};
+  const Frame plane = mean_over_depth(slab, 2.0);
+  ASSERT_EQ(plane.points(), 6U);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_NEAR(plane.field("void_ratio").values[i],
+                std::round(plane.position[3 * i] - 0.4 * plane.position[3 * i + 1] - 0.05) +
+                    10 * plane.position[3 * i + 1] + 50,
+                1e-12);
 }
 
 } // namespace

@@ -146,6 +146,28 @@ TEST_F(Compare, RefusesAFolderWithResultsOfASingleTest) {
   EXPECT_EQ(compare({"--schemes", "gimp"}).code, 2);
 }
 
+TEST_F(Compare, TakesMoreRunsInAndKeepsThoseThatAreFinished) {
+  ASSERT_EQ(compare({"--schemes", "gimp"}).code, 0);
+  const auto finished = fs::last_write_time(out_ / "scheme=gimp" / "summary.json");
+  ASSERT_EQ(compare({"--schemes", "linear,gimp"}).code, 0);
+  EXPECT_EQ(fs::last_write_time(out_ / "scheme=gimp" / "summary.json"), finished);
+  ASSERT_EQ(results().size(), 2U);
+  EXPECT_EQ(results()[0].at("run"), "scheme=linear") << "in the order of the last command";
+  ASSERT_EQ(compare({"--schemes", "gimp,cpdi"}).code, 0);
+  ASSERT_EQ(results().size(), 3U) << "those of before stay, behind the others";
+  EXPECT_EQ(results()[2].at("run"), "scheme=linear");
+  for (const Row& row : results()) EXPECT_EQ(row.at("status"), "done");
+}
+
+TEST_F(Compare, RefusesToTakeInARunOfTheSameNameAndAnotherCase) {
+  ASSERT_EQ(compare({"--schemes", "gimp"}).code, 0);
+  const auto before = files_in(out_);
+  const Outcome refused = compare({"--schemes", "gimp,linear", "--set", "specimen.void_ratio=0.6"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("its run scheme=gimp has another case"));
+  EXPECT_EQ(files_in(out_), before);
+}
+
 /// Killed when a part of the runs is over, at whatever moment that is.
 TEST_F(Compare, GoesOnWhereItWasKilled) {
   const Words words{"--schemes", "gimp,linear,cpdi",          "--vary",    "nonlocal.length=0,6e-3",
@@ -203,54 +225,6 @@ TEST_F(Compare, TakesACrashForAFailure) {
   process.finish(SIGTERM);
   EXPECT_EQ(results()[1].at("status"), "failed");
   EXPECT_THAT(results()[1].at("reason"), HasSubstr("signal 11"));
-}
-
-class Scripts : public CampaignTest {};
-
-TEST_F(Scripts, RunTheSameCampaignElsewhere) {
-  const Words words{"--schemes", "gimp,linear"};
-  ASSERT_EQ(compare(words).code, 0);
-  const Rows wanted = results();
-  fs::rename(out_, folder_ / "whole");
-  for (const std::string kind : {"slurm", "parallel"}) {
-    ASSERT_EQ(compare({"--schemes", "gimp,linear", "--script", kind, "--force"}).code, 0);
-    EXPECT_FALSE(fs::exists(out_ / "scheme=gimp" / "history.csv"));
-    const std::string script = (out_ / ("campaign." + kind)).string();
-    const std::string call =
-        kind == "slurm" ? "for SLURM_ARRAY_TASK_ID in 0 1; do export SLURM_ARRAY_TASK_ID; bash " + script + "; done"
-                        : "sh " + script;
-    ASSERT_EQ(std::system(("(" + call + ") >" + (folder_ / "log").string() + " 2>&1").c_str()), 0)
-        << file_content(folder_ / "log");
-    ASSERT_EQ(run(folder_, {"collect", out_.string()}).code, 0);
-    EXPECT_EQ(results(), wanted) << kind;
-  }
-}
-
-TEST_F(Scripts, CollectTellsWhichFolderIsDamaged) {
-  ASSERT_EQ(compare({"--schemes", "gimp,linear,cpdi"}).code, 0);
-  std::ofstream(out_ / "scheme=gimp" / "summary.json") << "{\"status\": ";
-  std::ofstream(out_ / "scheme=linear" / "history.csv") << "step,time_s\n1\n";
-  const Outcome outcome = run(folder_, {"collect", out_.string()});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(results()[0].at("status"), "damaged");
-  EXPECT_THAT(results()[0].at("reason"), HasSubstr("scheme=gimp/summary.json: cannot be understood"));
-  EXPECT_THAT(results()[1].at("reason"), HasSubstr("scheme=linear/history.csv:2:"));
-  EXPECT_EQ(results()[2].at("status"), "done");
-  EXPECT_THAT(outcome.err, HasSubstr("warning: scheme=gimp is damaged"));
-  ASSERT_EQ(compare({"--schemes", "gimp,linear,cpdi"}).code, 0) << "damaged runs run again";
-  EXPECT_EQ(results()[1].at("status"), "done");
-}
-
-TEST_F(Scripts, CollectRefusesWhatIsNoCampaign) {
-  EXPECT_THAT(run(folder_, {"collect", folder_.path().string()}).err, HasSubstr("the folder holds no campaign"));
-  folder_.file("campaign.json", "{\"runs\": 1}");
-  const Outcome outcome = run(folder_, {"collect", folder_.path().string()});
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("campaign.json: is damaged"));
-  folder_.file(
-      "campaign.json",
-      R"({"title":"","command":"","runs":[{"name":"../x","label":"","settings":{},"refused":"","work":1,"final_strain":1,"case":""}]})");
-  EXPECT_THAT(run(folder_, {"collect", folder_.path().string()}).err, HasSubstr("'../x' is no name of a run"));
 }
 
 } // namespace

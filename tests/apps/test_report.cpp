@@ -1,12 +1,11 @@
 /// The page of a campaign: its parts, and what a browser makes of it.
 #include "apps/campaign.hpp"
 #include "apps/report/compare_report.hpp"
-#include "core/base/error.hpp"
-#include "core/io/vtk_reader.hpp"
-#include "core/io/vtk_writer.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace riedel::test {
 namespace {
@@ -47,53 +46,36 @@ TEST(Page, ListsTheCurvesThatHaveANameAndNoOthers) {
                                  Not(HasSubstr("data-run=\"theory\"")), HasSubstr(">theory</text>")));
 }
 
-Frame two_squares() {
-  Frame frame{.dimension = 2,
-              .time = 0.5,
-              .u_over_h = 0.03,
-              .position = {0.5, 0.5, 0, 1.5, 0.5, 0},
-              .corners = {},
-              .fields = {}};
-  for (const double x : {0.0, 1.0})
-    frame.corners.insert(frame.corners.end(), {x, 0, 0, x + 1, 0, 0, x + 1, 1, 0, x, 1, 0});
-  frame.fields.push_back({"void_ratio", 1, "-", {0.5, 0.75}});
-  frame.fields.push_back({"velocity", 3, "m/s", {1, 2, 3, 4, 5, 6}});
-  return frame;
+TEST(Page, LeavesCaptionsWhereTheyAreWhileATableScrolls) {
+  Page page("p");
+  page.table({.caption = "what it is", .header = {"a"}, .rows = {{{{"1"}}}}});
+  const std::string html = page.html();
+  EXPECT_LT(html.find(">what it is<"), html.find("class=\"scroll\""));
+  EXPECT_THAT(html, Not(HasSubstr("<caption")));
 }
 
-TEST(FrameReader, GivesBackWhatWasWritten) {
-  const TemporaryFolder folder;
-  SeriesWriter writer(folder.path());
-  const Frame frame = two_squares();
-  writer.write(frame);
-  writer.write(frame);
-  const auto files = frame_files(folder.path());
-  ASSERT_EQ(files.size(), 2U);
-  EXPECT_EQ(files[0].time, 0.5);
-  const Frame again = read_frame(files[1].path);
-  EXPECT_EQ(again.u_over_h, 0.03);
-  EXPECT_EQ(again.position, frame.position);
-  EXPECT_EQ(again.corners, frame.corners);
-  EXPECT_EQ(again.field("velocity").values, frame.fields[1].values);
-  EXPECT_EQ(again.field("velocity").unit, "m/s");
+/// Ends of the ticks' labels on the bar of colours, in the units of its picture.
+std::vector<std::pair<double, double>> labels_on_bar(const Interval& range) {
+  Page page("p");
+  page.pictures({.caption = "", .pictures = {}, .label = "e", .range = range});
+  const std::string html = page.html();
+  const std::regex label(R"re(<text x="([^"]+)" y="31" text-anchor="middle">([^<]+)</text>)re");
+  std::vector<std::pair<double, double>> ends;
+  for (std::sregex_iterator it(html.begin(), html.end(), label), end; it != end; ++it) {
+    const double x = std::stod((*it)[1]), half = 0.5 * text_width((*it)[2], 11);
+    ends.emplace_back(x - half, x + half);
+  }
+  return ends;
 }
 
-TEST(FrameReader, NamesTheFileThatIsMissingOrDamaged) {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(frame_files(folder.path()).empty());
-  const auto error_of = [](const fs::path& path) -> std::string {
-    try {
-      (void)read_frame(path);
-    } catch (const InputError& error) { return error.what(); }
-    return "";
-  };
-  EXPECT_THAT(error_of(folder / "none.vtp"), HasSubstr("none.vtp: is missing"));
-  SeriesWriter(folder.path()).write(two_squares());
-  const fs::path file = frame_files(folder.path())[0].path;
-  fs::resize_file(file, fs::file_size(file) / 2);
-  EXPECT_THAT(error_of(file), HasSubstr("domains_000000.vtp: is damaged"));
-  folder.file("domains.pvd", "<DataSet timestep=\"x\" file=\"a\"/>\n");
-  EXPECT_THROW((void)frame_files(folder.path()), InputError);
+TEST(Page, ShowsEveryLabelOfTheColoursWhole) {
+  for (const Interval& range : {Interval{0.55, 0.9}, {0, 1}, {-1e-12, 1e-12}, {0.55, 0.5500001}, {1.2e5, 1.3e5}}) {
+    const auto ends = labels_on_bar(range);
+    ASSERT_FALSE(ends.empty());
+    EXPECT_GE(ends.front().first, 0.0) << range.low;
+    EXPECT_LE(ends.back().second, 352.0) << range.low;
+    for (std::size_t i = 1; i < ends.size(); ++i) EXPECT_GT(ends[i].first, ends[i - 1].second) << range.low;
+  }
 }
 
 /// What a browser that shows the page at this width finds in it.
@@ -136,6 +118,31 @@ std::string browser_on_path() {
 }
 
 class Report : public CampaignTest {};
+
+TEST(Provenance, CountsRunsOnlyWhereThereAreAny) {
+  const auto facts = provenance("riedel reproduce --figure 2", {});
+  EXPECT_TRUE(std::ranges::none_of(facts, [](const auto& fact) { return fact.first == "Runs"; }));
+  const std::vector<RunResult> one(1);
+  EXPECT_EQ(provenance("", one).back().second, "0 of 1 done, 1 missing");
+}
+
+TEST_F(Report, ShowsRunsInThreeDimensionsAsTheMeanOverTheirDepth) {
+  ASSERT_EQ(compare({"--schemes", "gimp,cpdi2", "--set", "grid.dimensions=3", "--set", "specimen.depth_cells=2",
+                     "--set", "loading.final_strain=0.002"})
+                .code,
+            0);
+  const std::string html = file_content(out_ / "report.html");
+  EXPECT_THAT(html, AllOf(HasSubstr("alt=\"void ratio e [-], cpdi2\""), HasSubstr("alt=\"shear strain γ [-], gimp\"")));
+  EXPECT_TRUE(fs::exists(out_ / "void_ratio_1.png"));
+}
+
+TEST_F(Report, CallsRunsByWhatTheyDifferIn) {
+  ASSERT_EQ(compare({"--schemes", "gimp,linear", "--vary", "nonlocal.length=0,6mm"}).code, 0);
+  const std::string html = file_content(out_ / "report.html");
+  EXPECT_THAT(html, AllOf(HasSubstr("gimp, l_c = 6 mm</button>"), HasSubstr("linear, local</button>")));
+  const std::string colour = html.substr(html.find("<svg class=\"swatch\""), 400);
+  EXPECT_THAT(colour, HasSubstr("stroke=\"#d55e00\"")) << "gimp is the second scheme, in every plot";
+}
 
 TEST_F(Report, HoldsEveryRunAndNeedsNoNetwork) {
   ASSERT_EQ(compare({"--schemes", "gimp,linear,bspline3", "--vary", "loading.lateral=virtual_stress,points"}).code, 0);

@@ -10,9 +10,21 @@ namespace {
 
 template <int Dim>
 std::vector<Columns*> columns_of(Points<Dim>& p) { // by hand, so that a field left out of Points::fields() is noticed
-  return {
-      &p.position,          &p.velocity, &p.mass,   &p.volume, &p.initial_volume, &p.half_size, &p.deformation_gradient,
-      &p.velocity_gradient, &p.stress,   &p.affine, &p.state,  &p.rate_norm,      &p.averaged,  &p.shear_strain};
+  return {&p.position,
+          &p.velocity,
+          &p.mass,
+          &p.volume,
+          &p.initial_volume,
+          &p.half_size,
+          &p.deformation_gradient,
+          &p.velocity_gradient,
+          &p.stress,
+          &p.affine,
+          &p.state,
+          &p.rate_norm,
+          &p.averaged,
+          &p.shear_strain,
+          &p.work};
 }
 
 /// Points anywhere on a grid; every other field tells which point and component it is.

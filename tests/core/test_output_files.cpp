@@ -58,16 +58,54 @@ TEST(AtomicFile, KeepsTheOldTextWhenTheDiskIsFull) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST(AtomicFile, LetsNoFullDeviceTakeTheName) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+TEST(AtomicFile, WritesThroughNoLinkThatWaitsForItsDraft) {
   const TemporaryFolder folder;
   const auto path = folder / "summary.json";
-  write_atomically(path, "old");
-  std::filesystem::create_symlink("/dev/full", path.string() + ".part");
+  const std::string other = folder.file("other", "mine");
+  std::filesystem::create_symlink(other, path.string() + ".part");
+  write_atomically(path, "new");
+  EXPECT_EQ(file_content(path), "new");
+  EXPECT_EQ(file_content(other), "mine");
+}
+
+TEST(AtomicFile, ReplacesALinkAndLeavesItsTarget) {
+  const TemporaryFolder folder;
+  const auto path = folder / "summary.json";
+  const std::string other = folder.file("other", "mine");
+  std::filesystem::create_symlink(other, path);
+  write_atomically(path, "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+  EXPECT_EQ(file_content(path), "new");
+  EXPECT_EQ(file_content(other), "mine");
+}
+
+TEST(AtomicFile, LeavesADeviceInItsPlace) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+  const TemporaryFolder folder;
+  const auto path = folder / "link";
+  std::filesystem::create_symlink("/dev/full", path);
   EXPECT_THAT([&] { write_atomically(path, "new"); },
               ThrowsMessage<RunError>("cannot write " + path.string() + ": No space left on device"));
-  EXPECT_FALSE(std::filesystem::is_symlink(path));
-  EXPECT_EQ(file_content(path), "old");
+  EXPECT_TRUE(std::filesystem::is_symlink(path));
+}
+
+TEST(AtomicFile, KnowsItsDrafts) {
+  EXPECT_TRUE(is_draft_of("summary.json.0123456789abcdef.part", "summary.json"));
+  for (const char* other :
+       {"summary.json", "summary.json.part", "summary.json.0123456789abcdeg.part", "history.csv.0123456789abcdef.part"})
+    EXPECT_FALSE(is_draft_of(other, "summary.json")) << other;
+  const TemporaryFolder folder;
+  const std::string longest(255, 'n');
+  write_atomically(folder / longest, "x");
+  EXPECT_EQ(file_content(folder / longest), "x");
+}
+
+TEST(OutputFile, FollowsNoLink) {
+  const TemporaryFolder folder;
+  const std::string other = folder.file("other", "mine");
+  std::filesystem::create_symlink(other, folder / "history.csv");
+  EXPECT_THAT([&] { OutputFile(folder / "history.csv"); }, ThrowsMessage<RunError>(HasSubstr("is a symbolic link")));
+  EXPECT_EQ(file_content(other), "mine");
 }
 
 TEST(AtomicFile, KeepsEveryByte) {

@@ -66,12 +66,14 @@ TEST(Snapshot, PutsPointsInTheOrderOfTheirIds) {
 TEST(Snapshot, CarriesTimeStrainAndTheFieldsThatFilesPromise) {
   Simulation<2> simulation = reversed_points();
   simulation.step();
-  const Frame frame = snapshot(simulation, 0.03);
+  const Frame frame = snapshot(simulation, 0.03, places_of(simulation.state()));
   EXPECT_EQ(frame.time, simulation.state().time);
   EXPECT_EQ(frame.u_over_h, 0.03);
   EXPECT_EQ(frame.dimension, 2);
-  EXPECT_THAT(names_of(frame), ElementsAre("id", "shear_strain", "stress", "mean_pressure", "rate_norm", "velocity",
-                                           "volume", "mass", "volume_ratio", "polar_rotation"));
+  EXPECT_THAT(names_of(frame),
+              ElementsAre("id", "body", "shear_strain", "stress", "mean_pressure", "q", "work", "rate_norm", "velocity",
+                          "displacement", "volume", "mass", "volume_ratio", "polar_rotation", "deformation_gradient"));
+  EXPECT_FALSE(snapshot(simulation, 0.03).has("displacement")) << "nobody said from where";
 }
 
 TEST(Snapshot, WritesTensorsInParaViewsOrderAndNotInMandels) {
@@ -83,6 +85,8 @@ TEST(Snapshot, WritesTensorsInParaViewsOrderAndNotInMandels) {
   const Frame frame = snapshot(simulation, 0.0);
   EXPECT_THAT(frame.field("stress").values, Pointwise(DoubleNear(1e-12), {-11.0, -22.0, -33.0, 12.0, 23.0, 13.0}));
   EXPECT_DOUBLE_EQ(frame.field("mean_pressure").values[0], 22.0); // compression positive
+  // q² = ½ ((11 − 22)² + (22 − 33)² + (33 − 11)²) + 3 (12² + 13² + 23²)
+  EXPECT_NEAR(frame.field("q").values[0], std::sqrt(363.0 + 2526.0), 1e-9);
 }
 
 TEST(Snapshot, DrawsAShearedDomainCounterClockwise) {

@@ -1,0 +1,21 @@
+/// The fields of a specimen that pictures and reports show.
+#pragma once
+
+#include <array>
+
+namespace riedel {
+
+struct DrawnField {
+  const char* name;  ///< in a frame; the picture's file is called so, too
+  const char* label; ///< of the colours, with the unit
+  double unit;       ///< what the frame's numbers are multiplied by
+  int component;
+};
+
+/// A line for each picture. Fields that a frame does not have are left out.
+inline constexpr std::array drawn_fields{
+    DrawnField{"void_ratio", "void ratio e [-]", 1.0, 0},
+    DrawnField{"shear_strain", "shear strain γ [-]", 1.0, 0},
+};
+
+} // namespace riedel
