@@ -108,9 +108,10 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
   Keys keys = biaxial_keys(catalogue, model_of(given));
-  const auto uses = law_uses(given.check(keys).values, catalogue); // none for a law that is wrong, which is told below
+  const Values first = given.check(keys).values;
+  const auto uses = law_uses(first, catalogue); // none for a law that is wrong, which is told below
   std::vector<std::string> notes;
-  if (uses) notes = fit_defaults(keys, *uses, given);
+  if (uses) notes = fit_defaults(keys, *uses, given, first);
   const auto check = [&](const Values& values) {
     Findings found = check_biaxial(values, catalogue);
     if (uses) check_uses(*uses, given, values, catalogue, found.errors);

@@ -4,16 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unistd.h>
 
 namespace riedel {
 
 namespace {
 
+std::string number(double x) { return short_text(x, 4); }
+
 /// A number in an everyday unit: 1.5 m, 23 mm, 50 kPa.
-std::string metres(double x) { return x < 1.0 ? rounded(1e3 * x) + " mm" : rounded(x) + " m"; }
+std::string metres(double x) { return x < 1.0 ? number(1e3 * x) + " mm" : number(x) + " m"; }
 std::string pascals(double p) {
-  return p < 1e3 ? rounded(p) + " Pa" : p < 1e6 ? rounded(1e-3 * p) + " kPa" : rounded(1e-6 * p) + " MPa";
+  return p < 1e3 ? number(p) + " Pa" : p < 1e6 ? number(1e-3 * p) + " kPa" : number(1e-6 * p) + " MPa";
+}
+
+/// A count to three digits.
+std::int64_t in_thousandths(double x) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(x, 1.0))) - 2.0));
+  return std::llround(std::round(x / unit) * unit);
 }
 
 /// What the checks look at.
@@ -40,7 +47,7 @@ void check_lengths(const Sense& s) {
   const std::string l = "nonlocal.length", unit = "; a number is in metres, a text may have a unit: ";
   const double l_c = s.v.number(l);
   if (l_c > most)
-    s.refuse({l, "specimen.width", "specimen.height"}, s.value(l, "m") + " is " + rounded(l_c / s.width) +
+    s.refuse({l, "specimen.width", "specimen.height"}, s.value(l, "m") + " is " + number(l_c / s.width) +
                                                            " times the width of the specimen, " + metres(s.width) +
                                                            "; allowed: at most " + metres(most) + unit + "\"1.5 mm\"");
   else if (3.0 * l_c > least)
@@ -71,15 +78,15 @@ void check_loading(const Sense& s) {
                "; a number is in Pa, a text may have a unit: \"50 kPa\"");
   if (pressure > 1e8) s.warn({p}, pascals(pressure) + " crushes grains of sand, which begins at some 10 MPa");
   if (v >= s.wave_speed)
-    s.refuse({speed}, s.value(speed, "m/s") + " outruns the waves in the specimen, " + rounded(s.wave_speed) +
+    s.refuse({speed}, s.value(speed, "m/s") + " outruns the waves in the specimen, " + number(s.wave_speed) +
                           " m/s; allowed: less than that, and less than 2 % of it for a quasi-static test");
   else if (v > hardly * s.wave_speed)
-    s.warn({speed}, s.value(speed, "m/s") + " is " + rounded(100.0 * v / s.wave_speed) +
-                        " % of the speed of waves in the specimen, " + rounded(s.wave_speed) +
+    s.warn({speed}, s.value(speed, "m/s") + " is " + number(100.0 * v / s.wave_speed) +
+                        " % of the speed of waves in the specimen, " + number(s.wave_speed) +
                         " m/s: above 2 % a test is hardly quasi-static");
   if (s.wave_speed < 1.0 || s.wave_speed > 2e4)
     s.warn({"material.model"},
-           "waves run at " + rounded(s.wave_speed) + " m/s in the specimen at the start: a stiffness in another unit?");
+           "waves run at " + number(s.wave_speed) + " m/s in the specimen at the start: a stiffness in another unit?");
 }
 
 void check_times(const Sense& s, const CaseFile& given) {
@@ -89,13 +96,13 @@ void check_times(const Sense& s, const CaseFile& given) {
   const bool is_given = std::ranges::find(names, ramp) != names.end();
   if (is_given && s.v.number(ramp) > std::max(at_speed, 5e-3))
     s.warn({ramp, "loading.speed", "loading.final_strain"},
-           s.value(ramp, "s") + " is " + rounded(s.v.number(ramp) / at_speed) +
-               " times as long as the test takes at full speed, " + rounded(at_speed) +
+           s.value(ramp, "s") + " is " + number(s.v.number(ramp) / at_speed) +
+               " times as long as the test takes at full speed, " + number(at_speed) +
                " s: the speed still rises at its end");
   constexpr double absurd = 20.0;
   if (!s.v.is_text(step) && s.v.number(step) > absurd * s.expected.limit)
-    s.refuse({step}, s.value(step, "s") + " is " + rounded(s.v.number(step) / s.expected.limit) +
-                         " times the stable time step, " + rounded(s.expected.limit) +
+    s.refuse({step}, s.value(step, "s") + " is " + number(s.v.number(step) / s.expected.limit) +
+                         " times the stable time step, " + number(s.expected.limit) +
                          " s at the start; allowed: less than that, or \"auto\"");
 }
 
@@ -103,18 +110,12 @@ void check_grid(const Sense& s) {
   const std::string cells = "grid.cells";
   const auto& n = s.v.integers(cells);
   const double h = s.width / static_cast<double>(n[0]), v = s.height / static_cast<double>(n[1]);
-  const double aspect = std::max(h / v, v / h), gigabytes = 1e-9 * s.expected.bytes();
-  const double has =
-      1e-9 * static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+  const double aspect = std::max(h / v, v / h);
   if (aspect > 10.0)
-    s.warn({cells}, "cells of " + metres(h) + " by " + metres(v) + " are " + rounded(aspect) +
+    s.warn({cells}, "cells of " + metres(h) + " by " + metres(v) + " are " + number(aspect) +
                         " times as long as wide; the specimen is " + metres(s.width) + " by " + metres(s.height));
   if (std::min(h, v) < 1e-4)
     s.warn({cells}, "cells of " + metres(h) + " by " + metres(v) + " are smaller than grains of sand, some 0.5 mm");
-  if (gigabytes > has)
-    s.warn({cells, "specimen.points_per_cell", "nonlocal.length"},
-           rounded(s.expected.points) + " points take about " + short_text(gigabytes) + " GB, and this machine has " +
-               short_text(has) + " GB");
   if (const SpecimenPatch patch(s.v); !patch.is_empty() && !patch.holds_a_point(s.v))
     s.warn({"imperfection.size", "imperfection.centre", cells},
            "the patch of " + metres(patch.size[0]) + " by " + metres(patch.size[1]) +
@@ -131,7 +132,7 @@ void check_output(const Sense& s) {
     s.warn({"output.every_strain"}, short_text(std::min(rows, s.expected.steps)) + " rows of history.csv");
   if (std::min(frames, s.expected.steps) > 1e4)
     s.warn({"output.frames_every_strain"}, short_text(std::min(frames, s.expected.steps)) + " frames, each of " +
-                                               rounded(s.expected.points) + " points");
+                                               number(s.expected.points) + " points");
 }
 
 void check_work(const Sense& s) {
@@ -148,12 +149,12 @@ void check_work(const Sense& s) {
 
 ExpectedWork expected_work_of(const Values& values, const Catalogue& catalogue) {
   const auto law = catalogue.materials.find(values.text("material.model")).make(values.section("material"));
-  return expected_work(values, wave_speed_at_start(values, *law));
+  return expected_work(values, wave_speeds(values, *law));
 }
 
 std::string expected_text(const ExpectedWork& e) {
-  return rounded(e.points) + " points, " + rounded(e.steps) + " steps of " + short_text(e.step) + " s, about " +
-         span_text(e.seconds()) + " on one thread";
+  return std::to_string(std::llround(e.points)) + " points, " + std::to_string(in_thousandths(e.steps)) + " steps of " +
+         short_text(e.step) + " s, about " + span_text(e.seconds()) + " on one thread";
 }
 
 std::vector<Finding> time_step_doubts(const Values& v, const ExpectedWork& expected) {
@@ -169,10 +170,10 @@ void check_sense(const CaseFile& given, const Values& v, const Catalogue& catalo
   try {
     law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
   } catch (const std::runtime_error&) { return; } // told with its place by whoever makes it for good
-  const double wave_speed = wave_speed_at_start(v, *law);
+  const WaveSpeeds speeds = wave_speeds(v, *law);
   const Sense sense{
-      v,          *law, expected_work(v, wave_speed), v.number("specimen.width"), v.number("specimen.height"),
-      wave_speed, found};
+      v,    *law, expected_work(v, speeds), v.number("specimen.width"), v.number("specimen.height"), speeds.at_start,
+      found};
   check_lengths(sense);
   check_loading(sense);
   check_times(sense, given);

@@ -28,8 +28,7 @@ std::string reason(const Values& v, const std::string& model) {
     return "with intergranular strain the law takes nothing averaged"; // a small strain has no width to keep
   const std::string name = "\"" + model + "\" ";
   if (v.has("material.takes_average")) return name + "takes nothing averaged without material.takes_average = true";
-  if (v.has("material.softening_strain"))
-    return name + "takes nothing averaged while it does not soften by the average";
+  if (v.has("material.softening_strain")) return name + "takes nothing averaged while it does not soften";
   return name + "takes nothing averaged";
 }
 
@@ -87,7 +86,7 @@ std::optional<LawUses> law_uses(const Values& values, const Catalogue& catalogue
   return uses;
 }
 
-std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const CaseFile& given) {
+std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const CaseFile& given, const Values& values) {
   std::vector<std::string> notes;
   if (uses.averaged.empty()) {
     Key& length = named(keys, "nonlocal.length");
@@ -100,7 +99,7 @@ std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const Cas
     if (std::ranges::find(uses.averaged, std::get<std::string>(variable.default_value)) == uses.averaged.end())
       variable.default_value = uses.averaged.front();
   }
-  if (!uses.void_ratio && !is_given(given, "imperfection.factor")) {
+  if (!uses.void_ratio && (!uses.strength || values.number("imperfection.factor") == 1.0)) {
     Key& size = named(keys, "imperfection.size");
     size.default_value = std::vector<double>{0.0, 0.0};
     size.doc += "; here none, since \"" + uses.model + "\" knows no void ratio";

@@ -22,7 +22,7 @@ std::optional<LawUses> law_uses(const Values& values, const Catalogue& catalogue
 
 /// Gives keys that mean nothing to the law the default that says so: no averaging, no patch.
 /// @return what to tell of it, a line each
-std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const CaseFile& given);
+std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const CaseFile& given, const Values& values);
 
 /// Refuses what was asked for and means nothing to the law.
 void check_uses(const LawUses& uses, const CaseFile& given, const Values& values, const Catalogue& catalogue,

@@ -52,7 +52,7 @@ PlannedRun planned(const Variant& variant, std::vector<std::string>& warnings) {
     for (const std::string& warning : checked.warnings)
       if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     run.case_text = case_text(checked.keys, checked.values);
-    run.work = expected_work_of(checked.values, inventory(variant.given).catalogue).work;
+    run.work = expected_work_of(checked.values, catalogue).work;
     run.final_strain = checked.values.number("loading.final_strain");
     run.memory = memory_needed(checked.values, catalogue).of_case();
   } catch (const InputError& error) { run.refusal = error.what(); } catch (const PluginError& error) {

@@ -40,25 +40,26 @@ Row row_of(const RunResult& result) {
   return row;
 }
 
-std::string figure(const ordered_json& json, double unit, int digits) {
-  if (!json.is_number()) return "-";
+std::string figure(const ordered_json& json, const char* name, double unit, int digits) {
+  const double x = figure_in(json, name);
+  if (std::isnan(x)) return "-";
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, unit * json.get<double>());
+  std::snprintf(text.data(), text.size(), "%.*f", digits, unit * x);
   return text.data();
 }
 
 std::string outcome_text(const RunResult& result) {
   if (result.status != RunStatus::done) return std::string(name_of(result.status)) + ": " + result.reason;
   const ordered_json &s = result.summary, &band = s.at("band");
-  std::string text = "peak " + figure(s.at("phi_peak_deg"), 1.0, 2) + " deg at " +
-                     figure(s.at("u_over_h_at_peak"), 100.0, 2) + " %, residual " +
-                     figure(s.at("phi_residual_deg"), 1.0, 2) + " deg, ";
+  std::string text = "peak " + figure(s, "phi_peak_deg", 1.0, 2) + " deg at " +
+                     figure(s, "u_over_h_at_peak", 100.0, 2) + " %, residual " + figure(s, "phi_residual_deg", 1.0, 2) +
+                     " deg, ";
   const std::string kind = text_in(band, "kind", "none");
   text += kind != "none"
-              ? (kind == "diffuse" ? "diffuse zone at " : "band at ") + figure(band.at("inclination_deg"), 1.0, 1) +
-                    " deg, " + figure(band.at("thickness_fwhm_m"), 1e3, 2) + " mm"
+              ? (kind == "diffuse" ? "diffuse zone at " : "band at ") + figure(band, "inclination_deg", 1.0, 1) +
+                    " deg, " + figure(band, "thickness_fwhm_m", 1e3, 2) + " mm"
               : "no band";
-  return text + ", " + figure(s.at("wall_s"), 1.0, 1) + " s";
+  return text + ", " + figure(s, "wall_s", 1.0, 1) + " s";
 }
 
 } // namespace

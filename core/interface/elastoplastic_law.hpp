@@ -53,9 +53,9 @@ public:
   explicit ElastoplasticLaw(const ElastoplasticControl& control) : control_(control) {}
 
   [[nodiscard]] std::span<const StateVariable> states() const final { return states_; }
-  /// The average has a say in the softening alone, as far as nonlocal_factor gives it one.
+  /// The average has a say in the softening alone.
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const final {
-    if (law().softens() && control_.nonlocal_factor != 0.0) return {"plastic_strain"};
+    if (law().softens()) return {"plastic_strain"};
     return {};
   }
   [[nodiscard]] double density(std::span<const double> state) const final { ///< ρ_0/J

@@ -1,7 +1,9 @@
 /// A case says what its law makes of it: no length that nothing averages, no patch of void ratios that nothing knows,
 /// and no key that nothing looks at.
+#include "apps/law_uses.hpp"
 #include "apps/program.hpp"
 #include "apps/weak_zone.hpp"
+#include "core/io/case_text.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gmock/gmock.h>
@@ -29,8 +31,7 @@ std::string refusal(const std::vector<std::string>& settings) {
   return "no error";
 }
 
-const std::vector<std::string> without_average{"linear_elastic", "neo_hookean", "mohr_coulomb", "drucker_prager",
-                                               "umat"};
+const std::vector<std::string> without_average{"linear_elastic", "neo_hookean", "mohr_coulomb", "drucker_prager"};
 
 TEST(LawUses, ALawThatTakesNothingAveragedRunsLocallyAndTheCaseSaysSo) {
   for (const std::string& law : without_average) {
@@ -71,10 +72,6 @@ TEST(LawUses, ALawThatSoftensAveragesItsPlasticStrain) {
     const CheckedCase c = checked({"material.model=" + law, "material.cohesion_residual=1e3"});
     EXPECT_EQ(c.values.number("nonlocal.length"), 1.5e-3);
     EXPECT_EQ(c.values.text("nonlocal.variable"), "plastic_strain");
-    EXPECT_THAT(refusal({"material.model=" + law, "material.cohesion_residual=1e3", "material.nonlocal_factor=0",
-                         "nonlocal.length=2e-3"}),
-                StartsWith("--set nonlocal.length: 0.002 is out of range"))
-        << "the average has no say";
   }
 }
 
@@ -95,19 +92,33 @@ TEST(LawUses, KeysOfVoidRatiosMeanNothingToALawWithoutOne) {
         refusal({"material.model=" + law, "imperfection.size=[5e-3,5e-3]"}),
         AllOf(StartsWith("--set imperfection.size: [0.005, 0.005] means nothing to"), HasSubstr("allowed: [0, 0]")));
   }
-  EXPECT_EQ(refusal({"material.model=umat", "material.state_names=void_ratio", "material.state=[0.55]",
-                     "specimen.void_ratio=0.6"}),
-            "no error");
+}
+
+/// A UMAT says itself what it takes.
+TEST(LawUses, OfAUmatAreWhatItsKeysSay) {
+  const auto uses = [](std::initializer_list<std::pair<const char*, Value>> settings) {
+    Values values(biaxial_keys(catalogue(), "umat"));
+    values.set("material.model", std::string("umat"));
+    for (const auto& [key, value] : settings) values.set(key, value);
+    return law_uses(values, catalogue()).value();
+  };
+  EXPECT_FALSE(uses({}).void_ratio);
+  EXPECT_FALSE(uses({}).strength);
+  EXPECT_THAT(uses({}).averaged, IsEmpty());
+  EXPECT_THAT(uses({}).why_local, HasSubstr("without material.takes_average = true"));
+  EXPECT_TRUE(uses({{"material.state_names", std::string("h:strain, void_ratio")}}).void_ratio);
+  EXPECT_THAT(uses({{"material.takes_average", true}}).averaged, ElementsAre("rate_norm"));
 }
 
 TEST(LawUses, AFactorOfStrengthNeedsALawWithStrength) {
-  for (const std::string law : {"linear_elastic", "neo_hookean", "umat"})
+  for (const std::string law : {"linear_elastic", "neo_hookean"})
     EXPECT_THAT(
         refusal({"material.model=" + law, "imperfection.factor=0.8"}),
         AllOf(StartsWith("--set imperfection.factor: 0.8 means nothing to \"" + law + "\""), HasSubstr("allowed: 1")));
   for (const std::string law : {"mohr_coulomb", "drucker_prager", "gudehus_bauer", "von_wolffersdorff"})
     EXPECT_THAT(checked({"material.model=" + law, "imperfection.factor=0.8"}).values.numbers("imperfection.size"),
                 ElementsAre(5e-3, 5e-3));
+  EXPECT_EQ(refusal({"material.model=linear_elastic", "imperfection.factor=1"}), "no error");
   EXPECT_THAT(refusal({"imperfection.factor=0"}), HasSubstr("allowed: a number > 0"));
 }
 

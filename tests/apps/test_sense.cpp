@@ -56,8 +56,7 @@ TEST(Sense, WarnsOfLengthsPressuresSpeedsAndTimesInAnotherUnit) {
               AllOf(StartsWith("--set loading.ramp_time: 5.0 s is 59.52 times"), HasSubstr("0.084 s")));
   EXPECT_THAT(warning("imperfection.correlation_length=5", "imperfection.deviation=0.001"),
               StartsWith("--set imperfection.correlation_length: 5.0 m is longer than the specimen, 140 mm"));
-  EXPECT_THAT(warning("specimen.width=40", "imperfection.size=[0,0]"),
-              StartsWith("--set specimen.width: a specimen of 40 m"));
+  EXPECT_THAT(warning("specimen.width=40"), StartsWith("--set specimen.width: a specimen of 40 m"));
   EXPECT_THAT(warning("imperfection.size=[1e-3,1e-3]", "imperfection.centre=[0.5,0.5]"),
               StartsWith("--set imperfection.size: the patch of 1 mm by 1 mm holds the middle of no point"));
   EXPECT_THAT(warning("grid.cells=[4,840]"), StartsWith("--set grid.cells: cells of 10 mm by 0.1667 mm are 60 times"));
@@ -77,7 +76,7 @@ TEST(Sense, TheDefaultsAndShortTestsPass) {
 TEST(Sense, WarnsOfARunThatTakesMoreThanADay) {
   EXPECT_THAT(warnings({"loading.speed=1e-5"}),
               ElementsAre(AllOf(StartsWith("--set loading.speed: the run takes more than a day: 2016 points, "),
-                                ContainsRegex("steps of .* s, about [0-9.]+ days on one thread"))));
+                                ContainsRegex("steps of .* s, about [0-9.]+ (h|days) on one thread"))));
   EXPECT_THAT(warnings({"grid.cells=[2000,7000]", "nonlocal.length=0"}),
               testing::Contains(ContainsRegex("^--set grid.cells: .*takes more than a day: 14000000 points")));
 }
@@ -93,13 +92,13 @@ TEST(Sense, CheckTellsWhatARunIsExpectedToTake) {
       HasSubstr("warning: --set time.step: 5e-05 s is over the stable limit, 2.5"));
 }
 
-/// Steps as the run makes them: the estimate is that of the start, and waves grow faster as the sand is compressed.
+/// The sand stiffens while it is loaded, so that the steps lie between those of the start and those under load.
 TEST(Sense, ExpectsAboutAsManyStepsAsTheRunMakes) {
   const Values v =
       biaxial_values({"grid.cells=[8,28]", "nonlocal.length=0", "loading.final_strain=0.01", "loading.speed=0.5"});
   Simulation<2> simulation = make_biaxial(v, catalogue());
   const ExpectedWork expected = expected_work_of(v, catalogue());
-  EXPECT_NEAR(expected.limit, simulation.crossing_time(), 0.02 * expected.limit);
+  EXPECT_NEAR(expected.limit, simulation.crossing_time(), 0.05 * expected.limit);
   const auto speed = ramped(0.5, v.number("loading.ramp_time"));
   double steps = 0.0;
   for (double u = 0.0; u < 0.01 * 0.14; ++steps) {
@@ -107,7 +106,8 @@ TEST(Sense, ExpectsAboutAsManyStepsAsTheRunMakes) {
     u += speed(simulation.state().time) * simulation.time_step();
   }
   EXPECT_NEAR(expected.time, simulation.state().time, 0.02 * expected.time);
-  EXPECT_NEAR(expected.steps, steps, 0.5 * steps);
+  EXPECT_LT(expected.steps, 2.0 * steps);
+  EXPECT_GT(expected.steps, steps);
 }
 
 TEST(RandomField, OnALatticeIsTheFieldAtItsPlaces) {

@@ -1,110 +1,7 @@
-#include "apps/shear_band.hpp"
+#include "apps/drawn_specimen.hpp"
 
-#include "core/base/types.hpp"
-
-#include <cmath>
-#include <functional>
-#include <gmock/gmock.h>
-#include <numbers>
-#include <random>
-#include <vector>
-
-namespace riedel {
+namespace riedel::test {
 namespace {
-
-/// A specimen of 40 × 140 mm with one point in the middle of each cell, on which bands are drawn.
-class Specimen {
-public:
-  Specimen(int columns, int rows, double e0 = 0.55) {
-    const double h = 0.04 / columns, v = 0.14 / rows;
-    for (int p = 0; p < columns * rows; ++p) {
-      x_.push_back((p % columns + 0.5) * h);
-      y_.push_back((p / columns + 0.5) * v);
-    }
-    volume_.assign(x_.size(), h * v);
-    e0_.assign(x_.size(), e0);
-    e_.assign(x_.size(), e0 + 0.012); // the whole specimen has dilated a little
-    rotation_.assign(x_.size(), 0.0);
-    shear_.assign(x_.size(), 0.03);
-    rate_.assign(x_.size(), 0.1);
-  }
-
-  /// Adds a band through (x, y).
-  /// @param angle_deg to the horizontal; positive: rises to the right   @param profile of the distance across [m], 1 at
-  /// most
-  Specimen& band(double angle_deg, double x, double y, double amplitude, const std::function<double(double)>& profile) {
-    const double angle = angle_deg * std::numbers::pi / 180.0;
-    for (std::size_t p = 0; p < x_.size(); ++p) {
-      const double share = amplitude * profile(std::cos(angle) * (y_[p] - y) - std::sin(angle) * (x_[p] - x));
-      e_[p] = std::max(e_[p], e0_[p] + 0.012 + share);
-      rotation_[p] += std::copysign(2.0 * share, angle);
-      shear_[p] += 4.0 * share;
-      rate_[p] += 20.0 * share * share; // narrower than the dilation
-    }
-    return *this;
-  }
-  /// Removes all bands where `where(x, y)` holds.
-  Specimen& wipe(const std::function<bool(double, double)>& where) {
-    for (std::size_t p = 0; p < x_.size(); ++p) {
-      if (!where(x_[p], y_[p])) continue;
-      e_[p] = e0_[p] + 0.012;
-      rotation_[p] = 0.0;
-      shear_[p] = 0.03;
-    }
-    return *this;
-  }
-  /// Loose from the start, at the left edge at mid-height: 5 × 5 mm.
-  Specimen& patch() {
-    for (std::size_t p = 0; p < x_.size(); ++p)
-      if (x_[p] < 0.005 && std::abs(y_[p] - 0.07) < 0.0025) {
-        e0_[p] = 0.90;
-        e_[p] = 0.89;
-        rotation_[p] = 0.3;
-        shear_[p] = 0.2;
-      }
-    return *this;
-  }
-  Specimen& noise(double of_void_ratio, double of_rotation) {
-    std::mt19937 random(11);
-    std::normal_distribution<double> normal;
-    for (std::size_t p = 0; p < x_.size(); ++p) {
-      e_[p] += of_void_ratio * normal(random);
-      rotation_[p] += of_rotation * normal(random);
-    }
-    return *this;
-  }
-  /// Turns the whole specimen a little.
-  Specimen& tilt(double angle) {
-    for (double& r : rotation_) r += angle;
-    return *this;
-  }
-  Specimen& lose_point(std::size_t p) {
-    e_[p] = std::nan("");
-    return *this;
-  }
-  [[nodiscard]] ShearBand measure(const BandSettings& settings = {.length = 1.5e-3}) const {
-    return measure_shear_band({x_, y_, volume_, e_, e0_, rotation_, shear_, rate_}, settings);
-  }
-
-  [[nodiscard]] ShearBand measure_by_shear() const {
-    return measure_shear_band({x_, y_, volume_, {}, {}, rotation_, shear_, rate_}, {.length = 1.5e-3});
-  }
-
-private:
-  std::vector<double> x_, y_, volume_, e_, e0_, rotation_, shear_, rate_;
-};
-
-std::function<double(double)> gaussian(double width) { ///< @param width at half maximum [m]
-  return [=](double n) { return std::exp2(-4.0 * n * n / (width * width)); };
-}
-std::function<double(double)> box(double width) {
-  return [=](double n) { return std::abs(n) <= 0.5 * width ? 1.0 : 0.0; };
-}
-
-struct Mesh {
-  int columns, rows;
-};
-constexpr std::array<Mesh, 2> meshes = {{{24, 84}, {32, 112}}};
 
 TEST(ShearBand, IsFoundWithItsInclinationAndWidth) {
   for (const Mesh mesh : meshes)
@@ -225,16 +122,6 @@ TEST(ShearBand, IsMeasuredThoughAPointIsLost) {
   EXPECT_NEAR(band.inclination_deg, whole.measure().inclination_deg, 0.01);
 }
 
-void expect_none(const ShearBand& band) {
-  EXPECT_FALSE(band.found);
-  EXPECT_EQ(band.kind, BandKind::none);
-  for (const double figure :
-       {band.inclination_deg, band.thickness_m, band.thickness_fwhm_m, band.thickness_rate_m, band.thickness_over_lc,
-        band.threshold, band.void_ratio_inside, band.conjugate_ratio, band.straight_length_m})
-    EXPECT_TRUE(std::isnan(figure)) << "zero would be a figure";
-  EXPECT_EQ(band.doubt(), "");
-}
-
 TEST(ShearBand, IsNotInAHomogeneousSpecimen) {
   expect_none(Specimen(24, 84).measure());
   expect_none(Specimen(32, 112).noise(0.01, 0.05).measure());
@@ -274,94 +161,6 @@ TEST(ShearBand, HasAWidthByItsRateThatNeedNotBeThatOfItsDilation) {
     }
 }
 
-TEST(ShearBand, HasNoThicknessInALengthThatThereIsNot) {
-  const ShearBand band = Specimen(24, 84).band(56.0, 0.02, 0.1, 0.27, gaussian(7.5e-3)).measure({.length = 0.0});
-  EXPECT_TRUE(band.found);
-  EXPECT_GT(band.thickness_m, 0.0);
-  EXPECT_TRUE(std::isnan(band.thickness_over_lc));
-}
-
-TEST(ShearBand, HasNoThicknessByAVoidRatioThatNoPointReaches) {
-  const ShearBand band = Specimen(24, 84).band(56.0, 0.02, 0.1, 0.10, gaussian(7.5e-3)).measure();
-  ASSERT_TRUE(band.found);
-  EXPECT_NEAR(band.thickness_fwhm_m, 7.5e-3, 0.05 * 7.5e-3);
-  EXPECT_TRUE(std::isnan(band.thickness_m)); // 0.66 at most
-  EXPECT_TRUE(std::isnan(band.thickness_over_lc));
-}
-
-/// Wider and wider zones of the same dilation: what is slender is a band, and what is not is diffuse, never nothing.
-TEST(ShearBand, IsDiffuseWhereItIsAsWideAsItIsLong) {
-  BandKind last = BandKind::single;
-  std::vector<BandKind> kinds;
-  for (double width = 6e-3; width < 45e-3; width *= 1.02) {
-    const ShearBand band = Specimen(12, 42).band(57.0, 0.02, 0.075, 0.2, gaussian(width)).measure();
-    EXPECT_NE(band.kind, BandKind::none) << width;
-    EXPECT_EQ(band.found, band.kind != BandKind::diffuse);
-    EXPECT_GT(band.thickness_fwhm_m, 0.0) << "its figures are told";
-    if (kinds.empty() || band.kind != last) kinds.push_back(last = band.kind);
-  }
-  EXPECT_EQ(kinds, (std::vector{BandKind::single, BandKind::diffuse})) << "it changes its kind once";
-}
-
-/// Weaker and weaker, or shorter and shorter: between a band and none lies what is diffuse.
-TEST(ShearBand, IsDiffuseBeforeItIsNone) {
-  const auto kinds_of = [](const auto& specimen) {
-    std::vector<BandKind> kinds;
-    for (double share = 1.0; share > 0.02; share *= 0.97)
-      if (const BandKind kind = specimen(share).kind; kinds.empty() || kinds.back() != kind) kinds.push_back(kind);
-    return kinds;
-  };
-  const std::vector fading{BandKind::single, BandKind::diffuse, BandKind::none};
-  EXPECT_EQ(kinds_of([](double share) {
-              return Specimen(24, 84).band(56.0, 0.02, 0.07, 0.27 * share, gaussian(7.5e-3)).measure();
-            }),
-            fading);
-  EXPECT_EQ(kinds_of([](double share) {
-              return Specimen(24, 84)
-                  .band(56.0, 0.0, 0.07, 0.27, gaussian(5e-3))
-                  .wipe([=](double x, double) { return x > 0.040 * share; })
-                  .measure();
-            }),
-            fading);
-}
-
-TEST(ShearBand, IsDoubtedWhereItsWidthsDifferThreefold) {
-  const ShearBand sharp = Specimen(24, 84).band(56.0, 0.02, 0.07, 0.27, gaussian(7.5e-3)).measure();
-  EXPECT_EQ(sharp.doubt(), "");
-  const ShearBand blunt = // barely above 0.70 in the middle
-      Specimen(24, 84).band(56.0, 0.02, 0.07, 0.142, gaussian(16e-3)).measure();
-  ASSERT_NE(blunt.kind, BandKind::none);
-  EXPECT_GT(blunt.thickness_fwhm_m, 3.0 * blunt.thickness_m);
-  EXPECT_THAT(blunt.doubt(), testing::HasSubstr("differ by a factor of "));
-}
-
-TEST(ShearBand, IsDoubtedWhereASecondOneIsHalfAsStrong) {
-  const auto with = [](double amplitude) {
-    return Specimen(24, 84)
-        .band(56.0, 0.02, 0.07, 0.27, gaussian(7.5e-3))
-        .band(-56.0, 0.02, 0.07, amplitude, gaussian(7.5e-3))
-        .measure();
-  };
-  EXPECT_THAT(with(0.15).doubt(), testing::HasSubstr("\"single\" or \"x\" is a matter of chance"));
-  EXPECT_EQ(with(0.02).doubt(), "");
-  EXPECT_EQ(with(0.27).doubt(), "");
-}
-
-/// A law without a void ratio: its shear strain tells.
-TEST(ShearBand, IsMeasuredByShearWhereThereIsNoVoidRatio) {
-  for (const Mesh mesh : meshes) {
-    const ShearBand band =
-        Specimen(mesh.columns, mesh.rows).band(-54.0, 0.02, 0.08, 0.1, gaussian(8e-3)).measure_by_shear();
-    ASSERT_TRUE(band.found);
-    EXPECT_TRUE(band.by_shear);
-    EXPECT_NEAR(band.inclination_deg, 54.0, 0.5);
-    EXPECT_NEAR(band.thickness_fwhm_m, 8e-3, 0.05 * 8e-3);
-    EXPECT_TRUE(std::isnan(band.thickness_m) && std::isnan(band.thickness_over_lc) &&
-                std::isnan(band.void_ratio_inside));
-  }
-  expect_none(Specimen(24, 84).noise(0.01, 0.05).measure_by_shear());
-}
-
 TEST(ShearBand, IsNotInAnEmptySpecimen) { expect_none(measure_shear_band({})); }
 
 TEST(ShearBand, HasANameForEachKind) {
@@ -372,4 +171,4 @@ TEST(ShearBand, HasANameForEachKind) {
 }
 
 } // namespace
-} // namespace riedel
+} // namespace riedel::test
