@@ -33,7 +33,7 @@ std::string states_text(const Material& law) {
 std::string averages_text(const Material& law) {
   std::string names;
   for (const std::string& name : law.nonlocal_variables()) names += (names.empty() ? "" : ", ") + name;
-  if (names.empty()) return "averaged over nonlocal.length: nothing; the law is local\n";
+  if (names.empty()) return "averaged over nonlocal.length: nothing with these values; the law is local then\n";
   return "averaged over nonlocal.length (nonlocal.variable): " + names + "\n";
 }
 

@@ -64,10 +64,10 @@ TEST_F(VerifyProgram, TakesTheNumberOfPointsInACell) {
 TEST_F(VerifyProgram, RefusesUnknownNamesAndListsTheKnownOnes) {
   const Outcome scheme = run(folder_, words({"--schemes", "gim"}));
   EXPECT_EQ(scheme.code, 2);
-  EXPECT_THAT(scheme.err, AllOf(HasSubstr("--schemes gim: unknown"), HasSubstr("known: linear, gimp, cpgimp")));
+  EXPECT_THAT(scheme.err, AllOf(HasSubstr("gim, is unknown (did you mean 'gimp'?)"), HasSubstr("known: linear, gimp, cpgimp")));
   const Outcome problem = run(folder_, words({"--problems", "rod"}));
   EXPECT_EQ(problem.code, 2);
-  EXPECT_THAT(problem.err, AllOf(HasSubstr("--problems rod: unknown"), HasSubstr(" bar, "), HasSubstr(", vortex, ")));
+  EXPECT_THAT(problem.err, AllOf(HasSubstr("rod, is unknown"), HasSubstr(" bar, "), HasSubstr(", vortex, ")));
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 

@@ -32,8 +32,6 @@ std::string shortened(const std::string& line) {
     quick +=
         " --set grid.cells=[8,28] --set loading.final_strain=0.0005 --set loading.speed=0.4 --set output.vtk=false "
         "--set output.plots=false --force";
-  if (line.starts_with("riedel biaxial") && line.find("nonlocal.length") == std::string::npos)
-    quick += " --set nonlocal.length=5e-3";
   if (line.starts_with("riedel element")) quick += " --set output.plots=false --set loading.final_strain=0.01 --force";
   if (line.starts_with("riedel verify")) quick += " --problems bar --force";
   if (line.starts_with("riedel bench")) quick += " --points 500 --repeats 1 --seconds 0.001";

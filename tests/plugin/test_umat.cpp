@@ -97,7 +97,7 @@ TEST_F(FortranUmat, OfThePapersLawPeaksAsTheBuiltInOneInTheBiaxialTestOnOneThrea
     Words words =
         coarse_case(folder_ / name, joined(law, {"--set", "loading.final_strain=0.018", "--set", "time.step=4e-6",
                                                  "--set", "output.plots=false", "--set", "output.vtk=false"}));
-    words.insert(words.end(), {"--threads", threads});
+    *std::next(std::ranges::find(words, "--threads")) = threads;
     const Outcome outcome = run(folder_, words);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return read_table(folder_ / name / "history.csv")["phi_mob_deg"];
