@@ -98,8 +98,8 @@ std::string umat_check_help(const Arguments& arguments) {
   const CaseFile given = arguments.case_file(1);
   refuse_unknown_names(given, umat_check_keys());
   return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
-check.strain are the start and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its answer
-depends on the frame, or if it fails.
+check.strain are the start, in Pa, and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its
+stress or a declared state depends on the frame, if it does nothing, or if it fails.
 
 Example
   riedel umat-check build/mine.so --set material.parameters=[1e8,0.3] --set check.stress=[0,0,0,0,0,0]

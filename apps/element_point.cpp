@@ -53,6 +53,7 @@ ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, 
   ElementRows rows(*law, values.number("specimen.void_ratio"), every, path.friction, watch, curve.rows);
   rows.look(start);
   for (const PathStage& stage : path.stages) {
+    if (&stage != &path.stages.front()) driver.begin_stage();
     try {
       if (!follow_stage(driver, stage, watch, rows, curve.interrupted)) break;
     } catch (const RunError& error) {

@@ -2,6 +2,8 @@
 
 #include "apps/catalogue.hpp"
 #include "apps/checked_case.hpp"
+#include "core/base/error.hpp"
+#include "core/io/attempt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +44,16 @@ void append_material(Keys& keys, const Catalogue& catalogue, std::string_view mo
 void try_material(const CaseFile& given, const Values& values, const Catalogue& catalogue) {
   if (values.has("material.library") && values.text("material.library").empty())
     throw InputError(given.place("material.library") + ": names no library; allowed: the path of one with a UMAT");
-  static_cast<void>(catalogue.materials.find(values.text("material.model")).make(values.section("material")));
+  const auto& make = catalogue.materials.find(values.text("material.model")).make;
+  if (values.has("material.library"))
+    try_library(given, values, [&] { static_cast<void>(make(values.section("material"))); });
+  static_cast<void>(make(values.section("material")));
+}
+
+void try_library(const CaseFile& given, const Values& values, const std::function<void()>& load) {
+  const std::string crash = early_end_of(load, "while it is loaded");
+  if (!crash.empty())
+    throw PluginError(given.place("material.library") + ": " + values.text("material.library") + " " + crash);
 }
 
 double cohesion_pressure(const Values& v) {

@@ -4,6 +4,8 @@
 #include "core/interface/catalogue.hpp"
 #include "core/io/case_file.hpp"
 
+#include <functional>
+
 namespace riedel {
 
 /// The law of the paper.
@@ -20,6 +22,8 @@ void append(Keys& keys, const Keys& more);
 /// Makes the law, so that values that do not fit together, and libraries that cannot be used, are told before anything
 /// is written. @throws InputError, PluginError
 void try_material(const CaseFile& given, const Values& values, const Catalogue& catalogue);
+/// Loads the library of a law in a process of its own first. @throws PluginError where it does not survive that
+void try_library(const CaseFile& given, const Values& values, const std::function<void()>& load);
 
 /// Whether a law has parameters of strength: cohesion, friction_angle or phi_c. @param material without the section
 bool has_strength(const Values& material);

@@ -58,6 +58,9 @@ public:
   /// come
   bool follow(const Leg& leg, const std::function<bool(const LawPoint&)>& go_on);
 
+  /// What follows is another stage of the path, whose time and steps count from its start.
+  void begin_stage() { riedel::begin_stage(point_); }
+
   [[nodiscard]] const LawPoint& point() const { return point_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] const MaterialReport& report() const { return report_; } ///< of the steps that were kept

@@ -2,6 +2,7 @@
 
 #include "core/interface/material.hpp"
 #include "materials/umat_library.hpp"
+#include "materials/umat_point.hpp"
 
 namespace riedel {
 
@@ -14,34 +15,38 @@ public:
   /// @throws InputError for values that do not fit together, PluginError for a library that cannot be used
   explicit Umat(const Values& given);
 
-  [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
+  [[nodiscard]] std::span<const StateVariable> states() const override { return states_.variables(); }
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const override;
-  [[nodiscard]] std::vector<double> initial_state() const override { return initial_; }
+  [[nodiscard]] std::vector<double> initial_state() const override { return states_.start(); }
   [[nodiscard]] bool follows_motion() const override { return true; }
   [[nodiscard]] double density(std::span<const double> state) const override;
+  /// @throws RunError where the UMAT ends the program or crashes
   void integrate(const MaterialBatch& batch, MaterialReport& report) const override;
+  /// From DDSDDE of a call without strain. @throws RunError likewise
   [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
   /// DDSDDE at the end of a step of point p, whose other results are dropped, by columns [Pa].
+  /// @throws RunError where the UMAT does not return
   [[nodiscard]] std::array<double, 36> stiffness(const MaterialBatch& batch, Index p) const;
+  /// How many of its state variables have a name in `state_names`; they come first.
+  [[nodiscard]] std::size_t declared_states() const { return states_.declared(); }
 
 private:
-  struct Point;
-  void add_states(const Values& given);
-  [[nodiscard]] Point point_of(const MaterialBatch& batch, Index p) const;
-  void give_back(const Point& point, const MaterialBatch& batch, Index p) const;
+  [[nodiscard]] UmatPoint point_of(const MaterialBatch& batch, Index p) const;
   [[nodiscard]] std::array<double, 36> stiffness(const UmatLibrary::Lease& umat, const MaterialBatch& batch,
                                                  Index p) const;
-  std::string_view advance(Point& point, const UmatLibrary::Lease& umat, MaterialReport& report) const;
+  /// @throws RunError where it ended the program or crashed
+  UmatEnd call(UmatPoint& point, const UmatLibrary::Lease& umat) const;
+  std::string_view advance(UmatPoint& point, const UmatLibrary::Lease& umat, MaterialReport& report) const;
+  std::string_view advance_in_parts(UmatPoint& point, double share, const UmatLibrary::Lease& umat,
+                                    MaterialReport& report) const;
 
   std::unique_ptr<UmatLibrary> library_; ///< null: none was named; every step fails
   std::string cmname_;
   std::vector<double> parameters_;
   bool takes_average_;
+  double stress_unit_;                      ///< [Pa]
   double density_, grain_density_, length_; ///< [kg/m³], [kg/m³], [m]
-  std::vector<StateVariable> states_;       ///< the UMAT's, then the total strain
-  std::vector<double> shear_factors_;       ///< by the UMAT's state numbers: from Mandel's components to its own
-  std::vector<double> initial_;
-  int void_ratio_ = -1; ///< column
+  UmatStates states_;
 };
 
 } // namespace riedel

@@ -1,11 +1,11 @@
 #include "materials/umat_library.hpp"
 
 #include "core/base/error.hpp"
-#include "materials/umat_services.hpp"
 
 #include <algorithm>
-#include <csetjmp>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <dlfcn.h>
 #include <unistd.h>
 
@@ -29,31 +29,17 @@ struct Unused {
   int ndi = 3, nshr = 3, ntens = 6, one = 1;
 };
 
-/// Comes back early when the subroutine calls XIT, over its frames, without running them to their ends.
-template <class Call>
-UmatEnd guarded(const Call& call) {
-  std::jmp_buf here;
-  way_out_of_umat() = &here;
-  UmatEnd end = UmatEnd::xit;
-  if (setjmp(here) == 0) { // NOLINT: the only way out of Fortran
-    try {
-      call();
-      end = UmatEnd::returned;
-    } catch (...) { end = UmatEnd::threw; }
-  }
-  way_out_of_umat() = nullptr;
-  return end;
-}
-
 } // namespace
 
 UmatLibrary::UmatLibrary(std::filesystem::path path, std::string symbol, bool thread_safe)
     : path_(std::move(path)), symbol_(std::move(symbol)), thread_safe_(thread_safe) {
   if (!std::filesystem::is_regular_file(path_)) throw PluginError("UMAT " + path_.string() + ": there is no such file");
   free_.push_back(loaded(std::filesystem::absolute(path_)));
+  catch_crashes_of_umats();
 }
 
 UmatFunction UmatLibrary::loaded(const std::filesystem::path& path) const {
+  const Undisturbed process;
   void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw PluginError("UMAT " + path_.string() + ": cannot be loaded: " + dlerror());
   void* const function = dlsym(library, symbol_.c_str());
@@ -64,22 +50,44 @@ UmatFunction UmatLibrary::loaded(const std::filesystem::path& path) const {
 }
 
 UmatFunction UmatLibrary::copy() const {
-  std::string name = (std::filesystem::temp_directory_path() / "riedel-umat-XXXXXX").string();
-  const int file = mkstemp(name.data());
-  if (file < 0) throw PluginError("UMAT " + path_.string() + ": no place for a copy in " + name);
-  close(file);
   std::error_code error;
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (error) folder = std::filesystem::current_path(error);
+  std::string name = (folder / "riedel-umat-XXXXXX").string();
+  const int file = mkstemp(name.data());
+  if (file < 0) throw PluginError(folder.string() + " takes no copy: " + std::strerror(errno));
+  close(file);
   std::filesystem::copy_file(path_, name, std::filesystem::copy_options::overwrite_existing, error);
-  if (error) throw PluginError("UMAT " + path_.string() + ": cannot be copied to " + name + ": " + error.message());
-  const UmatFunction function = loaded(name);
-  std::filesystem::remove(name, error); // the loaded library needs its name no more
-  return function;
+  const std::string why = error ? folder.string() + " takes no copy: " + error.message() : "";
+  try {
+    if (!why.empty()) throw PluginError(why);
+    const UmatFunction function = loaded(name);
+    std::filesystem::remove(name, error); // the loaded library needs its name no more
+    return function;
+  } catch (...) {
+    std::filesystem::remove(name, error);
+    throw;
+  }
+}
+
+/// Where none can be made, threads take turns with those that there are, which is slow, and said.
+void UmatLibrary::add_copy() {
+  try {
+    free_.push_back(copy());
+  } catch (const std::exception& error) {
+    takes_turns_ = true;
+    std::fprintf(stderr,
+                 "riedel: warning: UMAT %s: there is no copy for another thread, so that threads wait for each other "
+                 "(%s); set TMPDIR to a folder with room, or material.thread_safe = true if threads may share it\n",
+                 path_.c_str(), error.what());
+  }
 }
 
 UmatLibrary::Lease UmatLibrary::lease() {
-  const std::scoped_lock lock(mutex_);
+  std::unique_lock lock(mutex_);
   if (thread_safe_) return {*this, free_.front()};
-  if (free_.empty()) free_.push_back(copy());
+  if (free_.empty() && !takes_turns_) add_copy();
+  given_back_.wait(lock, [&] { return !free_.empty(); });
   const UmatFunction function = free_.back();
   free_.pop_back();
   return {*this, function};
@@ -89,19 +97,27 @@ void UmatLibrary::give_back(UmatFunction function) {
   if (thread_safe_) return;
   const std::scoped_lock lock(mutex_);
   free_.push_back(function);
+  given_back_.notify_one();
 }
 
-UmatEnd UmatLibrary::Lease::run(UmatCall& c, const std::vector<double>& parameters, int states,
-                                const std::string& name) const {
+std::string UmatLibrary::account_of(const UmatOutcome& outcome) const {
+  const std::string umat = "the UMAT " + path_.string();
+  if (outcome.end == UmatEnd::ended)
+    return umat + " ended the program (STOP or exit, code " + std::to_string(outcome.code) + ")";
+  return umat + " crashed: signal " + std::to_string(outcome.code) + " (" + strsignal(outcome.code) + ")";
+}
+
+UmatOutcome UmatLibrary::Lease::run(UmatCall& c, const std::vector<double>& parameters, int states,
+                                    const std::string& name) const {
   const std::array<char, 80> cmname = padded(name);
   const int count = static_cast<int>(parameters.size());
   Unused u;
-  return guarded([&] {
+  return guarded_umat([&] {
     function_(c.stress.data(), c.state, c.stiffness.data(), &u.sse, &u.spd, &u.scd, &u.rpl, u.ddsddt.data(),
               u.drplde.data(), &u.drpldt, c.strain.data(), c.strain_increment.data(), c.time.data(), &c.time_step,
               &u.temp, &u.dtemp, &u.predef, &c.field_increment, cmname.data(), &u.ndi, &u.nshr, &u.ntens, &states,
               parameters.data(), &count, u.coords.data(), c.rotation.data(), &c.time_step_factor, &c.length,
-              c.motion_before.data(), c.motion_after.data(), &c.point, &u.one, &u.one, &u.one, &u.one, &c.increment,
+              c.motion_before.data(), c.motion_after.data(), &c.point, &u.one, &u.one, &u.one, &c.stage, &c.increment,
               cmname.size());
   });
 }

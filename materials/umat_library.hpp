@@ -1,7 +1,11 @@
 /// A user's subroutine UMAT, as Abaqus calls it, in a shared library.
 #pragma once
 
+#include "core/base/undisturbed.hpp"
+#include "materials/umat_guard.hpp"
+
 #include <array>
+#include <condition_variable>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -27,26 +31,24 @@ struct UmatCall {
   std::array<double, 6> stress{}, strain{}, strain_increment{};
   double* state = nullptr;
   std::array<double, 36> stiffness{}; ///< DDSDDE
-  std::array<double, 2> time{};       ///< of the step, in all [s]
+  std::array<double, 2> time{};       ///< at the start: of the stage, in all [s]
   double time_step = 0.0;             ///< [s]
   double field_increment = 0.0;       ///< DPRED(1)
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
   std::array<double, 9> motion_before{1, 0, 0, 0, 1, 0, 0, 0, 1}, motion_after{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  double length = 1.0;           ///< CELENT [m]
-  double time_step_factor = 1.0; ///< PNEWDT
-  int point = 1, increment = 1;
+  double length = 1.0;                     ///< CELENT [m]
+  double time_step_factor = 1.0;           ///< PNEWDT
+  int point = 1, increment = 1, stage = 1; ///< NOEL, KINC, KSTEP
 };
 
-enum class UmatEnd { returned, xit, threw };
-
 /// The library, once, or a copy of it for every call that is under way at the same time: COMMON blocks and SAVE make
-/// one copy unsafe for two threads.
+/// one copy unsafe for two threads. Where no copy can be made, threads take turns.
 class UmatLibrary {
 public:
   /// @param symbol `umat_` from Fortran   @throws PluginError: no such file, not loadable, without the symbol
   UmatLibrary(std::filesystem::path path, std::string symbol, bool thread_safe);
 
-  /// The right to call a copy.
+  /// The right to call a copy. What the UMAT does to rounding and traps of the processor ends with it.
   class Lease {
   public:
     Lease(UmatLibrary& owner, UmatFunction leased) : owner_(owner), function_(leased) {}
@@ -54,27 +56,34 @@ public:
     Lease(const Lease&) = delete;
     Lease& operator=(const Lease&) = delete;
 
-    /// XIT, which ends Abaqus, ends the call.
-    UmatEnd run(UmatCall& call, const std::vector<double>& parameters, int states, const std::string& name) const;
+    /// XIT, which ends Abaqus, ends the call; so do STOP, exit and a crash.
+    UmatOutcome run(UmatCall& call, const std::vector<double>& parameters, int states, const std::string& name) const;
 
     [[nodiscard]] UmatFunction function() const { return function_; }
 
   private:
     UmatLibrary& owner_;
     UmatFunction function_;
+    KeptArithmetic arithmetic_;
+    UmatCallUnderWay under_way_;
   };
-  /// @throws PluginError when another copy is needed and cannot be made
+  /// Waits where there is one copy for all threads.
   Lease lease();
+  /// "the UMAT FILE ended the program (STOP …)", for messages.
+  [[nodiscard]] std::string account_of(const UmatOutcome& outcome) const;
 
 private:
   UmatFunction loaded(const std::filesystem::path& path) const;
   UmatFunction copy() const;
+  void add_copy();
   void give_back(UmatFunction function);
 
   std::filesystem::path path_;
   std::string symbol_;
   bool thread_safe_;
+  bool takes_turns_ = false; ///< no more copies can be made
   std::mutex mutex_;
+  std::condition_variable given_back_;
   std::vector<UmatFunction> free_; ///< copies that nobody calls
 };
 

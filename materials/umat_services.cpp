@@ -1,15 +1,12 @@
 #include "materials/umat_services.hpp"
 
+#include "materials/umat_guard.hpp"
+
 #include <Eigen/Dense>
 #include <cstdio>
 #include <cstdlib>
 
 namespace riedel {
-
-std::jmp_buf*& way_out_of_umat() {
-  thread_local std::jmp_buf* way = nullptr;
-  return way;
-}
 
 namespace {
 
@@ -37,11 +34,10 @@ extern "C" {
 
 /// Ends the call; the point fails, the program goes on.
 void xit_() {
-  if (riedel::way_out_of_umat() != nullptr) std::longjmp(*riedel::way_out_of_umat(), 1);
+  riedel::leave_umat(riedel::UmatEnd::xit, 0);
   std::abort();
 }
 
-/// R s Rᵀ. @param kind 1: stress, 2: strain
 void rotsig_(const double* s, const double* R, double* rotated, const int* kind, const int* ndi, const int* nshr) {
   const Eigen::Map<const Eigen::Matrix3d> Q(R);
   riedel::put(Q * riedel::tensor(s, *kind, *ndi, *nshr) * Q.transpose(), rotated, *kind, *ndi, *nshr);

@@ -4,6 +4,8 @@
 
 #include "core/base/types.hpp"
 
+#include <exception>
+#include <mutex>
 #include <omp.h>
 #include <vector>
 
@@ -29,18 +31,48 @@ inline Range block_range(Index block, Index points) {
   return {block * block_size, std::min((block + 1) * block_size, points)};
 }
 
-/// Calls `body(i)` for i in [0, count). The body must not throw.
+/// What threads of a loop have thrown: kept until the loop is over, since an exception that leaves it on a thread ends
+/// the program. Of several the one of the first turn counts, whatever the number of threads.
+class Thrown {
+public:
+  template <class Body>
+  void guard(Index turn, const Body& body) noexcept {
+    try {
+      body(turn);
+    } catch (...) { keep(turn); }
+  }
+  void rethrow() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+private:
+  void keep(Index turn) noexcept {
+    const std::scoped_lock lock(mutex_);
+    if (first_ && turn_ < turn) return;
+    first_ = std::current_exception();
+    turn_ = turn;
+  }
+  std::mutex mutex_;
+  std::exception_ptr first_;
+  Index turn_ = 0;
+};
+
+/// Calls `body(i)` for i in [0, count). What a body throws is thrown on when all are through.
 template <class Body>
 void parallel_for(Index count, const Body& body) {
+  Thrown thrown;
 #pragma omp parallel for schedule(static) if (count > 1)
-  for (Index i = 0; i < count; ++i) body(i);
+  for (Index i = 0; i < count; ++i) thrown.guard(i, body);
+  thrown.rethrow();
 }
 
 /// The same for bodies that take unequal times: a thread that is free takes the next one.
 template <class Body>
 void parallel_for_unequal(Index count, const Body& body) {
+  Thrown thrown;
 #pragma omp parallel for schedule(dynamic) if (count > 1)
-  for (Index i = 0; i < count; ++i) body(i);
+  for (Index i = 0; i < count; ++i) thrown.guard(i, body);
+  thrown.rethrow();
 }
 
 /// Calls `body(range)` for every block of `points` points.

@@ -17,10 +17,12 @@ struct StateVariable {
   int components = 1; ///< 1: scalar; 6: symmetric tensor in Mandel components, rotated by the solver
 };
 
-/// How points moved over a step, for a law that follows their motion.
+/// How points moved over a step, for a law that follows their motion: matrices, row by row.
 struct Motion {
-  std::array<const double*, 9> velocity_gradient{};    ///< L, row by row [1/s]
-  std::array<const double*, 9> deformation_gradient{}; ///< F at the end of the step, row by row [-]
+  std::array<const double*, 9> velocity_gradient{};    ///< L [1/s]
+  std::array<const double*, 9> deformation_gradient{}; ///< F at the end of the step [-]
+  std::array<const double*, 9> gradient_before{};      ///< F at its start [-]
+  std::array<const double*, 9> rotation{};             ///< Q, by which stress and tensors have been turned [-]
 };
 
 /// The points handed to a law at once: columns of `size` numbers.
@@ -28,11 +30,15 @@ struct MaterialBatch {
   Index size = 0;
   double time_step = 0.0;          ///< Δt [s]
   double time = 0.0;               ///< at the start of the step [s]
+  double stage_time = 0.0;         ///< the same, since the stage of the test began [s]
+  int stage = 1;                   ///< of the test, from 1
+  std::int64_t increment = 1;      ///< number of the step in its stage, from 1
   std::array<double*, 6> stress{}; ///< Cauchy, tension positive, Mandel, already rotated by the solver [Pa]; in, out
   std::array<const double*, 6> rate{}; ///< rate of deformation D, Mandel [1/s]
   const double* averaged = nullptr;    ///< non-local average of the scalar the law named; null: local
   std::span<double* const> state{};    ///< a column per component of the declared variables; in, out
   const Motion* motion = nullptr;      ///< for a law that follows it; null where only rates of strain are known
+  const Index* id = nullptr;           ///< numbers that the points keep, from 0; null: their places in the batch
 };
 
 /// What happened inside one call, or many.
@@ -78,7 +84,8 @@ public:
   [[nodiscard]] virtual bool follows_motion() const { return false; }
   /// @param state one value per state component   @return bulk density [kg/m³]
   [[nodiscard]] virtual double density(std::span<const double> state) const = 0;
-  /// Advances stress and state by one step. Does not throw; failures stand in the report.
+  /// Advances stress and state by one step. What fails at a point stands in the report; an exception ends the run, on
+  /// whatever thread it is thrown.
   virtual void integrate(const MaterialBatch& batch, MaterialReport& report) const = 0;
   [[nodiscard]] virtual Survey survey(const MaterialBatch& batch) const = 0;
 };

@@ -9,7 +9,7 @@
 namespace riedel {
 
 /// Goes up when a library compiled against older headers would be misunderstood.
-inline constexpr std::uint32_t plugin_abi = 1;
+inline constexpr std::uint32_t plugin_abi = 2;
 
 /// What a plug-in exports under the name `riedel_plugin`. The first two members keep their places for ever.
 struct Plugin {
@@ -23,7 +23,7 @@ struct Plugin {
   static constexpr std::uint32_t sizes_of_types() {
     std::uint32_t mixed = __GXX_ABI_VERSION;
     for (const std::size_t size :
-         {sizeof(Catalogue), sizeof(Description), sizeof(Key), sizeof(Values), sizeof(MaterialBatch),
+         {sizeof(Catalogue), sizeof(Description), sizeof(Key), sizeof(Values), sizeof(MaterialBatch), sizeof(Motion),
           sizeof(MaterialReport), sizeof(StateVariable), sizeof(Points<2>), sizeof(Points<3>), sizeof(StencilGroup<2>),
           sizeof(StencilGroup<3>), sizeof(Mat<2>), alignof(Mat<2>), sizeof(NeighbourRows)})
       mixed = mixed * 31 + static_cast<std::uint32_t>(size);

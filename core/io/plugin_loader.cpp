@@ -1,5 +1,6 @@
 #include "core/io/plugin_loader.hpp"
 
+#include "core/base/undisturbed.hpp"
 #include "core/interface/plugin.hpp"
 #include "core/io/attempt.hpp"
 
@@ -60,10 +61,11 @@ std::function<std::unique_ptr<Object>(Args...)> guarded(std::function<std::uniqu
                                                         std::string owner) {
   return [make = std::move(make), owner = std::move(owner)](Args... args) {
     if constexpr ((std::is_lvalue_reference_v<Args> && ...)) { // others can be given once only
-      const std::string crash = early_end_of([&] { make(args...); });
-      if (!crash.empty()) throw PluginError(owner + " crashes while it is made: " + crash);
+      const std::string crash = early_end_of([&] { make(args...); }, "while it is made");
+      if (!crash.empty()) throw PluginError(owner + " " + crash);
     }
     try {
+      const Undisturbed process;
       return make(std::forward<Args>(args)...);
     } catch (const InputError&) { throw; } catch (const std::exception& error) {
       throw PluginError(owner + " cannot be made: " + error.what());
@@ -98,15 +100,18 @@ LoadedPlugin load_plugin(const std::filesystem::path& path, Catalogue& catalogue
   if (!std::filesystem::is_regular_file(path)) refuse(path, "there is no such file");
   const std::filesystem::path whole = std::filesystem::absolute(path);
   const auto bring = [&](Catalogue& brought) {
+    const Undisturbed process;
     const Plugin& plugin = checked(opened(whole), path);
     plugin.enlist(brought);
     return std::string(plugin.compiler);
   };
-  const std::string crash = early_end_of([&] {
-    Catalogue brought;
-    bring(brought);
-  });
-  if (!crash.empty()) refuse(path, "crashes while it is loaded: " + crash);
+  const std::string crash = early_end_of(
+      [&] {
+        Catalogue brought;
+        bring(brought);
+      },
+      "while it is loaded");
+  if (!crash.empty()) refuse(path, crash);
 
   LoadedPlugin loaded{.path = path, .compiler = {}, .brings = {}};
   Catalogue brought;

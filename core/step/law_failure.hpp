@@ -33,4 +33,18 @@ template <int Dim>
                  std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
 }
 
+/// Runs `work`; what the law of a body throws there ends the run as its failure does, with body, step and time.
+template <int Dim, class Work>
+auto watched(const State<Dim>& state, const Body<Dim>& body, const Work& work) {
+  const auto failure = [&](const std::string& why) {
+    return RunError("the law of '" + body.name + "' failed: " + why + "; step " + std::to_string(state.step) +
+                    ", time " + exact_text(state.time) + " s");
+  };
+  try {
+    return work();
+  } catch (const std::exception& error) { throw failure(error.what()); } catch (...) {
+    throw failure("it threw an exception of an unknown type");
+  }
+}
+
 } // namespace riedel

@@ -1,6 +1,7 @@
 #include "core/step/simulation.hpp"
 
 #include "core/step/grid_to_points.hpp"
+#include "core/step/law_failure.hpp"
 #include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/stress_update.hpp"
@@ -70,7 +71,7 @@ void Simulation<Dim>::survey_bodies() {
   double wave = 0.0, fastest_squared = 0.0;
   std::int64_t outside = 0;
   for (Body<Dim>& body : state_.bodies) {
-    const Survey found = survey(body, surveys_);
+    const Survey found = watched(state_, body, [&] { return survey(body, surveys_, state_.time, state_.step); });
     wave = std::max(wave, found.wave_speed);
     outside += found.out_of_bounds;
     fastest_squared = std::max(fastest_squared, greatest_square(body.points.velocity));
@@ -78,6 +79,9 @@ void Simulation<Dim>::survey_bodies() {
   out_of_bounds_ = std::max(out_of_bounds_, outside);
   crossing_time_ = state_.grid.cell.minCoeff() / (wave + std::sqrt(fastest_squared));
   time_step_ = model_.fixed_time_step > 0.0 ? model_.fixed_time_step : model_.cfl * crossing_time_;
+  if (!std::isfinite(time_step_))
+    throw RunError("the law gives no speed of waves, from which the time step would follow (step " +
+                   std::to_string(state_.step) + "); allowed: a stiffness that is finite and not zero, or time.step");
 }
 
 template <int Dim>

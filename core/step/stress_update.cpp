@@ -1,6 +1,7 @@
 #include "core/step/stress_update.hpp"
 
 #include "core/base/parallel.hpp"
+#include "core/step/block_motion.hpp"
 #include "core/step/law_failure.hpp"
 #include "core/step/polar_rotation.hpp"
 
@@ -56,11 +57,12 @@ constexpr auto components_of_motion = [] {
 template <int Dim>
 class LawBlock {
 public:
-  /// @param time at the start of the step [s]
-  LawBlock(Points<Dim>& points, const Material& law, double time, double dt) : points_(points) {
-    batch_.time = time;
+  /// @param time at the start of the step [s]   @param step taken before this one
+  LawBlock(Points<Dim>& points, const Material& law, double time, std::int64_t step, double dt) : points_(points) {
+    batch_.time = batch_.stage_time = time;
+    batch_.increment = step + 1;
     batch_.time_step = dt;
-    if (law.follows_motion()) batch_.motion = &motion_;
+    if (law.follows_motion()) batch_.motion = &motion_.motion();
     for (int c = 0; c < 6; ++c) batch_.rate[c] = D_[c].data();
   }
   const MaterialBatch& batch() const { return batch_; }
@@ -71,7 +73,14 @@ public:
     for (int c = 0; c < 6; ++c) batch_.stress[c] = points_.stress[c] + range.begin;
     for (int s = 0; s < points_.state.components(); ++s) state_[s] = points_.state[s] + range.begin;
     batch_.state = {state_.data(), static_cast<std::size_t>(points_.state.components())};
-    if (batch_.motion != nullptr) follow_motion();
+    batch_.id = points_.id.data() + range.begin;
+  }
+  /// For a law that follows the motion.
+  template <ObjectiveRate objective>
+  void follow_motion() {
+    if (batch_.motion == nullptr) return;
+    motion_.follow(points_, range_, batch_.time_step,
+                   [&](Index p) { return rotation_of_step<objective>(points_, p, batch_.time_step); });
   }
   void take_average(const double* averaged) { batch_.averaged = averaged ? averaged + range_.begin : nullptr; }
 
@@ -118,18 +127,6 @@ public:
   }
 
 private:
-  void follow_motion() {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const bool moves = i < Dim && j < Dim;
-        motion_.velocity_gradient[i * 3 + j] =
-            moves ? points_.velocity_gradient[i * Dim + j] + range_.begin : none_.data();
-        motion_.deformation_gradient[i * 3 + j] = moves    ? points_.deformation_gradient[i * Dim + j] + range_.begin
-                                                  : i == j ? one_.data()
-                                                           : none_.data();
-      }
-  }
-
   /// @param density σ:D of eight points [W/m³]   @return V σ:D
   Pack add_to_work(Index p, const Pack& density) {
     const Pack power = Pack::load(points_.volume[0] + p) * density;
@@ -152,13 +149,7 @@ private:
   Range range_;
   std::array<std::array<double, law_block>, 6> D_{}; ///< components that no motion in the plane has stay zero
   std::array<double*, most_state_columns> state_{};
-  inline static constexpr auto filled = [](double x) {
-    std::array<double, law_block> all{};
-    all.fill(x);
-    return all;
-  };
-  inline static const std::array<double, law_block> none_ = filled(0.0), one_ = filled(1.0); ///< out of the plane
-  Motion motion_;
+  BlockMotion<Dim, law_block> motion_;
   MaterialBatch batch_;
 };
 
@@ -179,13 +170,14 @@ void rotate_state(Body<Dim>& body, Range range, double dt) {
 
 /// Rotation and law over a range of points.
 template <ObjectiveRate objective, int Dim>
-StressShare update_range(Body<Dim>& body, Range whole, const double* averaged, double time, double dt) {
+StressShare update_range(State<Dim>& state, Body<Dim>& body, Range whole, const double* averaged, double dt) {
   StressShare share;
-  LawBlock<Dim> block(body.points, *body.material, time, dt);
+  LawBlock<Dim> block(body.points, *body.material, state.time, state.step, dt);
   rotate_state<objective>(body, whole, dt);
   for (Index b = whole.begin; b < whole.end; b += law_block) {
     block.move_to({b, std::min(b + law_block, whole.end)});
     block.take_average(averaged);
+    block.template follow_motion<objective>();
     MaterialReport report;
     const double before = block.template rotate_and_fill_rates<objective>();
     body.material->integrate(block.batch(), report);
@@ -220,14 +212,16 @@ void update_stress(State<Dim>& state, const Model<Dim>& model, double dt) {
   for (Body<Dim>& body : state.bodies) {
     const double* averaged = average(state, body);
     const PhaseClock::Lap lap(state.clock, Phase::law);
-    const StressShare all = reduce_blocks(
-        body.points.size(), state.shares, StressShare{},
-        [&](Range range) { return update(body, range, averaged, state.time, dt); },
-        [](StressShare sum, const StressShare& share) {
-          sum.report.add(share.report, 0);
-          sum.work += share.work;
-          return sum;
-        });
+    const auto add = [](StressShare sum, const StressShare& share) {
+      sum.report.add(share.report, 0);
+      sum.work += share.work;
+      return sum;
+    };
+    const StressShare all = watched(state, body, [&] {
+      return reduce_blocks(
+          body.points.size(), state.shares, StressShare{},
+          [&](Range range) { return update(state, body, range, averaged, dt); }, add);
+    });
     if (all.report.failures > 0) report_failure(state, body, all.report);
     state.report.add(all.report, 0);
     state.internal_work += all.work;
@@ -235,14 +229,15 @@ void update_stress(State<Dim>& state, const Model<Dim>& model, double dt) {
 }
 
 template <int Dim>
-Survey survey(Body<Dim>& body, std::vector<Survey>& parts) {
+Survey survey(Body<Dim>& body, std::vector<Survey>& parts, double time, std::int64_t step) {
   return reduce_blocks(
       body.points.size(), parts, Survey{},
       [&](Range range) {
         Survey found;
-        LawBlock<Dim> block(body.points, *body.material, 0.0, 0.0);
+        LawBlock<Dim> block(body.points, *body.material, time, step, 0.0);
         for (Index b = range.begin; b < range.end; b += law_block) {
           block.move_to({b, std::min(b + law_block, range.end)});
+          block.template follow_motion<ObjectiveRate::jaumann>(); // nothing turns
           found.add(body.material->survey(block.batch()));
         }
         return found;
@@ -255,7 +250,7 @@ Survey survey(Body<Dim>& body, std::vector<Survey>& parts) {
 
 template void update_stress<2>(State<2>&, const Model<2>&, double);
 template void update_stress<3>(State<3>&, const Model<3>&, double);
-template Survey survey<2>(Body<2>&, std::vector<Survey>&);
-template Survey survey<3>(Body<3>&, std::vector<Survey>&);
+template Survey survey<2>(Body<2>&, std::vector<Survey>&, double, std::int64_t);
+template Survey survey<3>(Body<3>&, std::vector<Survey>&, double, std::int64_t);
 
 } // namespace riedel

@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-constexpr int most_state_columns = 64; ///< that a law may declare
+constexpr int most_state_columns = 520; ///< that a law may declare
 
 /// Averages the scalar that the law names, rotates stress and tensor state with the material, as the model's
 /// objective rate says, and lets the law integrate the step. Throws RunError naming the first point at which the law
@@ -14,7 +14,8 @@ template <int Dim>
 void update_stress(State<Dim>& state, const Model<Dim>& model, double dt);
 
 /// Greatest wave speed, and points outside the law's bounds, of one body. @param parts working space
+/// @param time at the start of the next step [s]   @param step number of steps before it
 template <int Dim>
-Survey survey(Body<Dim>& body, std::vector<Survey>& parts);
+Survey survey(Body<Dim>& body, std::vector<Survey>& parts, double time = 0.0, std::int64_t step = 0);
 
 } // namespace riedel

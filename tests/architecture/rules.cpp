@@ -139,9 +139,9 @@ Offences libraries_out_of_place(const SourceFile& file) {
 }
 
 std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files) {
-  const Names helpers = {"register", "tensor_product", "product_stencil", "wall_ends",
-                         "corners",  "domain_keys",    "point_driver",    "law_point",
-                         "strength", "umat_library",   "umat_services"};
+  const Names helpers = {"register",      "tensor_product", "product_stencil", "wall_ends",  "corners",
+                         "domain_keys",   "point_driver",   "law_point",       "strength",   "umat_library",
+                         "umat_services", "umat_guard",     "umat_point",      "umat_states"};
   const Names everyday = {"linear", "elastic", "strain", "von"};
   Names names;
   for (const SourceFile& file : files) {

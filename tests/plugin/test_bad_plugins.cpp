@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, UselessLibrary,
                          testing::Values(Refusal{"/no/such/file.so", "there is no such file"},
                                          Refusal{library("bad_0"), "exports no 'riedel_plugin'"},
                                          Refusal{library("bad_1"),
-                                                 "has the binary interface 4711, and this program has 1"},
+                                                 "has the binary interface 4711, and this program has 2"},
                                          Refusal{library("bad_2"), "was compiled for Riedel 99.1.0, and this is 0.1.0"},
                                          Refusal{library("bad_3"), "was compiled by g++ 3.4"},
                                          Refusal{library("bad_4"), "its 'riedel_plugin' is something else"},
@@ -75,6 +75,16 @@ TEST(BadPlugin, WhoseLawReportsFailureEndsTheRunWithPointAndStep) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("the law failed"), HasSubstr("it is Monday; stress ("), HasSubstr("step ")));
   EXPECT_THAT(file_content(folder / "out" / "summary.json"), HasSubstr("\"failed\""));
+}
+
+TEST(BadPlugin, WhoseLawThrowsInARunFailsItOnAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "2"}) {
+    const Outcome outcome = run_with(folder, "throws_in_a_run", {"--threads", threads});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("it has lost its licence"), HasSubstr("step ")));
+    EXPECT_THAT(file_content(folder / "out" / "summary.json"), HasSubstr("\"failed\""));
+  }
 }
 
 TEST(BadPlugin, WhoseLawReturnsNanEndsTheRun) {

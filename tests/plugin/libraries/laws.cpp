@@ -1,4 +1,5 @@
-/// Laws that go wrong: while they are made, by throwing or by a crash, and in a run, by NaN or by a report.
+/// Laws that go wrong: while they are made, by throwing or by a crash, and in a run, by NaN, by a report or by
+/// throwing.
 #include "core/interface/plugin.hpp"
 #include "core/interface/rate_law.hpp"
 
@@ -30,6 +31,12 @@ struct NotANumber final : Bad {
     for (Index p = 0; p < batch.size; ++p) batch.stress[0][p] = std::nan("");
   }
 };
+struct ThrowsInARun final : Bad {
+  static constexpr std::string_view name = "throws_in_a_run";
+  void integrate(const MaterialBatch& batch, MaterialReport&) const override {
+    if (batch.time > 3e-4) throw std::runtime_error("it has lost its licence");
+  }
+};
 struct Fails final : Bad {
   static constexpr std::string_view name = "fails";
   void integrate(const MaterialBatch&, MaterialReport& report) const override { report.fail(0, "it is Monday"); }
@@ -38,4 +45,4 @@ struct Fails final : Bad {
 } // namespace
 
 RIEDEL_PLUGIN(riedel::material<Throws>, riedel::material<Crashes>, riedel::material<NotANumber>,
-              riedel::material<Fails>)
+              riedel::material<Fails>, riedel::material<ThrowsInARun>)
