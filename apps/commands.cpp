@@ -17,12 +17,18 @@ std::vector<std::string> scheme_names() { return full_catalogue().in_2d.schemes.
 
 Options element_options() {
   Options options = case_options();
-  options.push_back({"out", "DIR", "folder for the results; default: results/element/TEST"});
+  options.push_back(
+      {"out", "DIR", "folder for the results; default: results/element/ and the case file's name, or the test's"});
   options.push_back(
       {"driver", "NAME", "what carries the test out; as --set driver.kind=NAME", false, element_driver_names()});
   options.push_back(
       {"vary", "KEY=A,B", "run the case for each value, in a folder each; may be repeated: crossed", true});
-  options.push_back({"import", "DIR", "path: take it from parameters.inp, initialconditions.inp and test.inp in DIR"});
+  options.push_back({"import", "DIR",
+                     "path: take it from parameters.inp, initialconditions.inp and test.inp in DIR; or a file like "
+                     "test.inp; param=FILE, ini=FILE or test=FILE for other names; may be repeated",
+                     true});
+  options.push_back(
+      {"threads", "N", "of the mpm driver; or A-B: the program chooses while it runs; default: 1 to all"});
   options.push_back({"reference", "FILE.csv", "show a curve with columns named as in element.csv beside the others"});
   options.push_back({"force", "", "write over the results that the folder holds"});
   return options;

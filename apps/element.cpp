@@ -1,11 +1,14 @@
 /// riedel element: oedometer, triaxial, shear, biaxial, or a path of one's own, at one point or more.
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
+#include "apps/earlier_variants.hpp"
 #include "apps/element_drivers.hpp"
 #include "apps/element_keys.hpp"
+#include "apps/element_path.hpp"
 #include "apps/element_pictures.hpp"
 #include "apps/failure.hpp"
 #include "apps/incremental_driver.hpp"
+#include "apps/incremental_output.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/messages.hpp"
 #include "apps/output_folder.hpp"
@@ -45,12 +48,11 @@ std::string test_named(const Arguments& arguments) {
 
 /// The case file, or the one that --import makes.
 CaseFile given_file(const Arguments& arguments, const std::string& test) {
-  const auto folder = arguments.text("import");
-  if (!folder) return arguments.case_file(1);
+  if (!arguments.has("import")) return arguments.case_file(1);
   if (test != "path" || arguments.words.size() > 1)
     throw InputError("--import gives the whole case of 'riedel element path', without another test or a case file");
-  const auto model = arguments.with_settings(CaseFile::empty()).peek_text("material.model");
-  return arguments.with_settings(import_incremental_driver(*folder, model));
+  const IncrementalFiles files = incremental_files(arguments.options.find("import")->second);
+  return arguments.with_settings(import_incremental_driver(files, arguments.with_settings(CaseFile::empty())));
 }
 
 /// The case under the test that the command line names.
@@ -96,30 +98,41 @@ std::unique_ptr<Material> law_of(const Values& values, const Catalogue& catalogu
   return catalogue.materials.find(values.text("material.model")).make(values.section("material"));
 }
 
+/// What all runs of a command share.
+struct Manner {
+  const Catalogue& catalogue;
+  const Interrupt& interrupt;
+  bool imported;
+  ThreadRange threads;
+};
+
 /// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
-ElementCurve carry_out(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt, bool imported) {
+ElementCurve carry_out(const Run& run, const Manner& manner) {
   const Values& values = run.checked.values;
   const std::string& test = values.text("test");
   write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
   const auto start = std::chrono::steady_clock::now();
-  History history(run.folder / "element.csv", element_columns(test));
+  const PoreWater water = element_path(values).water;
+  History history(run.folder / "element.csv", element_columns(test, water.present()));
   std::optional<IncrementalOutput> output;
   const auto write_row = [&](const ElementRow& row, const LawPoint& point) {
-    history.add(element_numbers(row, test));
-    if (imported && !output) output.emplace(run.folder / "output.txt", *law_of(values, catalogue));
+    history.add(element_numbers(row, test, water.present()));
+    if (manner.imported && !output)
+      output.emplace(run.folder / "output.txt", *law_of(values, manner.catalogue), water, values.section("material"));
     if (output) output->add(point);
   };
-  const ElementWatch watch{.at_row = write_row, .stop = [&] { return static_cast<bool>(interrupt); }};
-  ElementCurve curve = element_driver(values).run(values, catalogue, watch);
+  const ElementWatch watch{
+      .at_row = write_row, .stop = [&] { return static_cast<bool>(manner.interrupt); }, .threads = manner.threads};
+  ElementCurve curve = element_driver(values).run(values, manner.catalogue, watch);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   write_summary(run, curve, wall.count());
   return curve;
 }
 
 /// The same in a folder of its own; what ends the test by surprise is told in the summary.
-ElementCurve carry_out_safely(const Run& run, const Catalogue& catalogue, const Interrupt& interrupt, bool imported) {
+ElementCurve carry_out_safely(const Run& run, const Manner& manner) {
   try {
-    return carry_out(run, catalogue, interrupt, imported);
+    return carry_out(run, manner);
   } catch (const std::exception& error) {
     nlohmann::ordered_json all = summary_head(run);
     all["status"] = "failed";
@@ -153,10 +166,36 @@ std::string subject_of(const Run& run) {
   return subject;
 }
 
+/// The last words of a command that was interrupted.
+void print_interruption(const std::vector<NamedCurve>& curves, std::size_t runs) {
+  const auto& [label, curve] = curves.back();
+  const ElementRow& last = curve.rows.back();
+  std::string text = "interrupted";
+  if (!curve.interrupted.empty())
+    text += std::string(label.empty() ? "" : " at " + label) + " in " + curve.interrupted + ", at " +
+            (curve.test == "shear" ? "gamma = " + short_text(100.0 * last.gamma, 4)
+                                   : "eps_1 = " + short_text(100.0 * last.eps[0], 4)) +
+            " % and " + short_text(last.time, 4) + " s";
+  if (runs > 1)
+    text += "; " + std::to_string(curves.size() - (curve.interrupted.empty() ? 0 : 1)) + " of " + std::to_string(runs) +
+            " runs are complete";
+  print_warning(text);
+}
+
 void print_files(const std::filesystem::path& folder, bool several, const std::vector<std::string>& pictures) {
   std::printf("written to %s: %scase.toml, element.csv, summary.json", folder.c_str(), several ? "folders with " : "");
   for (const std::string& name : pictures) std::printf(", %s", name.c_str());
   std::printf("\n");
+}
+
+/// results/element and the case file's name, or else the test's.
+std::filesystem::path standard_folder(const Arguments& arguments, const std::string& test) {
+  const std::string name = arguments.words.size() > 1 ? std::filesystem::path(arguments.words[1]).stem().string() : "";
+  return std::filesystem::path("results/element") / (name.empty() ? test : name);
+}
+
+std::filesystem::path input_of(const Arguments& arguments) {
+  return arguments.words.size() > 1 ? arguments.words[1] : "";
 }
 
 } // namespace
@@ -164,22 +203,26 @@ void print_files(const std::filesystem::path& folder, bool several, const std::v
 int element(const Arguments& arguments) {
   const std::string test = test_named(arguments);
   const Catalogue catalogue = inventory(given_file(arguments, test)).catalogue;
-  const std::filesystem::path folder = arguments.out("results/element/" + test);
+  const std::filesystem::path folder = arguments.out(standard_folder(arguments, test));
+  const ThreadRange threads = arguments.threads();
   const std::vector<Run> runs = runs_of(arguments, test, catalogue, folder);
   std::optional<Overlay> overlay;
   if (const auto path = arguments.text("reference")) overlay = read_overlay(*path, test);
 
   OutputFolder output(folder, arguments.command, arguments.force());
+  const EarlierVariants earlier(folder, arguments.force());
   for (const Run& run : runs)
     if (run.folder != folder) const OutputFolder can_be_had(run.folder, arguments.command, arguments.force());
   const Interrupt interrupt;
+  const Manner manner{catalogue, interrupt, arguments.has("import"), threads};
   output.replace();
+  earlier.remove(arguments.command, input_of(arguments), runs.front().folder != folder);
   std::vector<NamedCurve> curves;
   int code = 0;
   for (const Run& run : runs) {
     std::optional<OutputFolder> of_run;
     if (run.folder != folder) of_run.emplace(run.folder, arguments.command, arguments.force()).replace();
-    curves.push_back({run.variant.label, carry_out_safely(run, catalogue, interrupt, arguments.has("import"))});
+    curves.push_back({run.variant.label, carry_out_safely(run, manner)});
     const ElementCurve& curve = curves.back().curve;
     print_result(curves.back());
     if (!curve.failure.empty()) {
@@ -192,7 +235,8 @@ int element(const Arguments& arguments) {
   for (std::size_t i = 0; i < curves.size(); ++i) curves[i].label = legend_label(runs[i].variant.settings);
   if (runs.front().checked.values.flag("output.plots"))
     try_to_write("the pictures", [&] { pictures = draw_element(curves, overlay, subject_of(runs.front()), folder); });
-  print_files(folder, runs.size() > 1, pictures);
+  print_files(folder, runs.front().folder != folder, pictures);
+  if (interrupt) print_interruption(curves, runs.size());
   return interrupt ? interrupt.exit_code() : code;
 }
 

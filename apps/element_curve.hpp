@@ -11,17 +11,26 @@
 
 namespace riedel {
 
-/// Compression is positive; 1 is the direction of loading. In the shear test 1 is the direction of shear and 2 the
-/// normal to the sheared planes.
+/// Compression is positive; stresses are total ones where there is pore water. 1 is the direction of loading. In the
+/// shear test 1 is the direction of shear and 2 the normal to the sheared planes.
 struct ElementRow {
-  std::array<double, 3> eps{};   ///< change of length over initial length [-]
-  double gamma = 0.0;            ///< u/h0 of planes normal to 2 along 1 [-]
-  std::array<double, 3> sigma{}; ///< Cauchy [Pa]
-  double tau = 0.0;              ///< [Pa]
-  double void_ratio = 0.0;       ///< [-]
-  double phi_mob = 0.0;          ///< mobilised angle of friction [deg]
-  double phi_principal = 0.0;    ///< asin((σ_I − σ_III)/(σ_I + σ_III)) [deg]
+  std::array<double, 3> eps{};       ///< change of length over initial length [-]
+  double gamma = 0.0;                ///< u/h0 of planes normal to 2 along 1 [-]
+  std::array<double, 3> sigma{};     ///< Cauchy [Pa]
+  double tau = 0.0;                  ///< [Pa]
+  double void_ratio = 0.0;           ///< [-]
+  double phi_mob = 0.0;              ///< mobilised angle of friction [deg]
+  double phi_principal = 0.0;        ///< asin((σ_I − σ_III)/(σ_I + σ_III)) [deg]
+  double time = 0.0;                 ///< [s]
+  std::int64_t stage = 1, cycle = 1; ///< of the path; round of the stage that is repeated
+  double pore_pressure = 0.0;        ///< [Pa]
+
+  [[nodiscard]] double p() const { return (sigma[0] + sigma[1] + sigma[2]) / 3.0; } ///< [Pa]
+  [[nodiscard]] double q() const { return sigma[0] - 0.5 * (sigma[1] + sigma[2]); } ///< [Pa]
 };
+
+/// More would fill the memory, and no picture shows them.
+inline constexpr std::size_t most_element_rows = 1'000'000;
 
 /// What tells whether a specimen stayed quasi-static and homogeneous.
 struct ElementEnergies {
@@ -35,22 +44,27 @@ struct ElementEnergies {
 struct ElementCurve {
   std::string test;
   std::vector<ElementRow> rows{};
-  std::string failure{}; ///< why the test stopped early; empty: it did not
-  bool interrupted = false;
+  std::string failure{};           ///< why the test stopped early; empty: it did not
+  std::vector<std::string> ends{}; ///< of stages that a limit has ended: which limit, and where
+  std::string interrupted{};       ///< where the test was when it was interrupted; empty: it was not
+  bool water = false;              ///< rows have a pore pressure
   std::int64_t steps = 0;
   MaterialReport report{};
   std::optional<ElementEnergies> energies{}; ///< of a specimen; a point has none
 };
 
-/// What phi_mob is: that of the principal stresses; asin((σ_1 − σ_2)/(σ_1 + σ_2)), which leaves out the stress out of
-/// the plane of a biaxial test; or atan(τ/σ_2), that of the sheared planes.
+/// asin((σ_I − σ_III)/(σ_I + σ_III)) of a stress, tension positive; 0 where there is no compression [deg].
+double principal_angle(const Sym<double>& stress);
+
+/// What phi_mob is, of the effective stress: that of the principal stresses; asin((σ_1 − σ_2)/(σ_1 + σ_2)), which
+/// leaves out the stress out of the plane of a biaxial test; or atan(τ/σ_2), that of the sheared planes.
 enum class Friction { principal, in_plane, on_planes };
 
-ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction);
+ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction, double pore_pressure = 0.0);
 
-/// Header of element.csv: ends with phi_principal_deg in the shear test.
-std::vector<std::string> element_columns(const std::string& test);
-std::vector<double> element_numbers(const ElementRow& row, const std::string& test);
+/// Header of element.csv: with phi_principal_deg in the shear test and, with pore water, its pressure at the end.
+std::vector<std::string> element_columns(const std::string& test, bool water);
+std::vector<double> element_numbers(const ElementRow& row, const std::string& test, bool water);
 
 /// The keys of summary.json that follow from the curve.
 nlohmann::ordered_json element_summary(const ElementCurve& curve);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/element_curve.hpp"
+#include "core/base/thread_choice.hpp"
 #include "core/interface/catalogue.hpp"
 
 namespace riedel {
@@ -10,6 +11,7 @@ namespace riedel {
 struct ElementWatch {
   std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
   std::function<bool()> stop;                                     ///< asked after each step
+  ThreadRange threads = {};                                       ///< of a specimen of many points
 };
 
 /// A driver returns what came out, also when the material could not follow: then `failure` says why.

@@ -5,6 +5,7 @@
 #include "apps/element_specimen.hpp"
 #include "apps/interpolation_keys.hpp"
 #include "apps/offered.hpp"
+#include "apps/path_check.hpp"
 #include "apps/path_keys.hpp"
 #include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
@@ -44,11 +45,17 @@ Keys problem_keys(const std::string& test) {
   Keys keys{{"test", test, "", any, "what is done to the element", element_tests()},
             {"specimen.void_ratio", test == "biaxial" ? 0.55 : 0.60, "-", more_than(0), "initial void ratio e0"}};
   if (test == "path") {
-    append(keys, {{"initial.sigma", std::vector{100e3, 100e3, 100e3}, "Pa", at_least(0),
-                   "stresses along 1, 2, 3 at the start, compression positive"},
-                  {"initial.tau", 0.0, "Pa", any, "shear stress at the start"},
-                  {"initial.intergranular_strain", std::vector{0.0, 0.0, 0.0}, "-", any,
-                   "intergranular strain along 1, 2, 3 at the start, compression positive"}});
+    append(keys,
+           {{"specimen.water_bulk_modulus", 0.0, "Pa", at_least(0),
+             "of water that fills the pores and does not leave them, such as 2.2 GPa; 0: none"},
+            {"initial.sigma", std::vector{100e3, 100e3, 100e3}, "Pa", at_least(0),
+             "stresses along 1, 2, 3 at the start, compression positive"},
+            {"initial.tau", 0.0, "Pa", any, "shear stress 12 at the start"},
+            {"initial.tau_13", 0.0, "Pa", any, "shear stress 13 at the start"},
+            {"initial.tau_23", 0.0, "Pa", any, "shear stress 23 at the start"},
+            {"initial.pore_pressure", 0.0, "Pa", any, "pressure of the pore water at the start, part of initial.sigma"},
+            {"initial.intergranular_strain", std::vector{0.0, 0.0, 0.0}, "-", any,
+             "intergranular strain along 1, 2, 3 at the start, compression positive"}});
     return keys;
   }
   append(keys, start_keys(test));
@@ -106,7 +113,8 @@ void refine_law(Keys& keys) {
 StartPressure start_pressure(const Values& v) {
   if (v.text("test") == "path") {
     const auto& sigma = v.numbers("initial.sigma");
-    return {(sigma[0] + sigma[1] + sigma[2]) / 3.0, "initial.sigma", "initial stress"};
+    return {(sigma[0] + sigma[1] + sigma[2]) / 3.0 - v.number("initial.pore_pressure"), "initial.sigma",
+            "initial stress"};
   }
   for (const auto& [key, name] :
        {std::pair{"loading.initial_pressure", "initial pressure"}, {"loading.normal_stress", "normal stress"}})
@@ -161,6 +169,8 @@ Findings check_element(const Values& v, const Catalogue& catalogue) {
   if (v.text("test") == "path") {
     check_path(v, found.errors);
     check_intergranular_strain(v, found.errors);
+  } else {
+    check_rows(v, element_path(v), found.errors);
   }
   if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
   if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
@@ -202,9 +212,12 @@ CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
         explain_unknown_element_keys(given, known ? wish : "triaxial", catalogue, errors);
       });
   try_material(given, checked.values, catalogue);
-  // A measure that a stage leaves free is no condition: nothing to write down.
+  // A measure that a stage leaves free is no condition, and a sine without amplitude is none: nothing to write down.
   std::erase_if(checked.keys, [&](const Key& key) {
-    return key.name.starts_with("stage.") && checked.values.at(key.name) == Value(std::string(free_word));
+    if (!key.name.starts_with("stage.")) return false;
+    const bool wave = key.name.ends_with(swing_key("")) || key.name.ends_with(phase_key(""));
+    if (key.name.ends_with("deformation_gradient")) return checked.values.numbers(key.name).empty();
+    return checked.values.at(key.name) == (wave ? Value(0.0) : Value(std::string(free_word)));
   });
   return checked;
 }

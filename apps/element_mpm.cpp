@@ -4,7 +4,6 @@
 #include "apps/element_rows.hpp"
 #include "apps/element_specimen.hpp"
 #include "core/base/error.hpp"
-#include "core/base/parallel.hpp"
 
 namespace riedel {
 
@@ -28,29 +27,29 @@ void watch_energies(ElementEnergies& energies, const Simulation<Dim>& simulation
 
 template <int Dim>
 ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch& watch) {
-  constexpr Index points_to_share = 2000;  // a step of fewer is over before a thread has woken
   constexpr int steps_between_checks = 10; // the sums over the points cost as much as a step does
   const ElementPath path = element_path(v);
   const PathStage& stage = path.stages.front();
   Simulation<Dim> simulation = make_element<Dim>(v, catalogue, path.stress);
-  const Index points = simulation.state().bodies.front().points.size();
-  const ThreadLimit limit(points < points_to_share ? 1 : most_threads());
+  ThreadChoice threads(watch.threads);
   const Material& law = *simulation.state().bodies.front().material;
   ElementCurve curve{.test = v.text("test"), .energies = ElementEnergies{}};
-  ElementRows rows(law, v.number("specimen.void_ratio"), v.number("output.every_strain"), path.friction, watch,
-                   curve.rows);
+  ElementRows rows(law, v.number("specimen.void_ratio"), v.number("output.every_strain"), path.friction, path.water,
+                   watch, curve.rows);
   LawPoint mean{.state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
   follow_element(mean, simulation);
   rows.look(mean);
   try {
-    while (!curve.interrupted && prescribed_strain(mean, v) < v.number("loading.final_strain") &&
-           !(stage.until && stage.until->reached(mean))) {
-      simulation.step();
+    while (curve.interrupted.empty() && curve.ends.empty() &&
+           prescribed_strain(mean, v) < v.number("loading.final_strain")) {
+      threads.step([&] { simulation.step(); });
       ++curve.steps;
       follow_element(mean, simulation);
       rows.look(mean);
+      if (stage.until && stage.until->reached(mean, path.water))
+        curve.ends.push_back(stage.name + ": ended by " + stage.until->text());
       if (curve.steps % steps_between_checks != 0) continue;
-      curve.interrupted = watch.stop();
+      if (watch.stop()) curve.interrupted = stage.name;
       curve.energies->stress_spread = std::fmax(curve.energies->stress_spread, stress_spread(simulation, mean.stress));
       watch_energies(*curve.energies, simulation, prescribed_strain(mean, v));
     }

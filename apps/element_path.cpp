@@ -5,6 +5,8 @@
 #include "core/io/units.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace riedel {
 
@@ -52,8 +54,24 @@ const Value& wish(const Values& v, const std::string& stage, const std::string& 
   return v.at((in_leg ? leg : stage) + name);
 }
 
+/// The sine of a measure, in the leg or else in its stage.
+void add_wave(Prescription& to, const Values& v, const std::string& stage, const std::string& leg) {
+  const std::string name = to.measure->name;
+  const std::string& from = v.number(leg + swing_key(name)) != 0.0 ? leg : stage;
+  to.swing = v.number(from + swing_key(name));
+  to.phase = v.number(from + phase_key(name)) * std::numbers::pi / 180.0;
+}
+
+std::optional<Mat<3>> given_deformation(const Values& v, const std::string& stage, const std::string& leg) {
+  const bool in_leg = !v.numbers(leg + "deformation_gradient").empty();
+  const std::vector<double>& F = v.numbers((in_leg ? leg : stage) + "deformation_gradient");
+  if (F.size() != 9) return std::nullopt; // told by the check of the path
+  return Mat<3>(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(F.data()));
+}
+
 PathLeg given_leg(const Values& v, const std::string& stage, const std::string& leg) {
   PathLeg result{.prescriptions = {},
+                 .deformation = given_deformation(v, stage, leg),
                  .relative = v.flag(stage + "relative"),
                  .duration = v.number(leg + "duration"),
                  .spin = v.flag(stage + "spin")};
@@ -65,7 +83,9 @@ PathLeg given_leg(const Values& v, const std::string& stage, const std::string& 
     const Value& value = wish(v, stage, leg, measure.name);
     const bool held = std::holds_alternative<std::string>(value);
     result.prescriptions.push_back({&measure, held ? hold : std::optional(std::get<double>(value))});
+    add_wave(result.prescriptions.back(), v, stage, leg);
   }
+  if (result.deformation) return result; // no shear is held
   for (const std::array<const char*, 3>& shear :
        {std::array{"gamma", "tau", "ln_12"}, {"gamma_13", "tau_13", "ln_13"}, {"gamma_23", "tau_23", "ln_23"}})
     if (std::ranges::none_of(shear, given)) result.prescriptions.push_back({&find_measure(shear.front()), hold});
@@ -74,8 +94,12 @@ PathLeg given_leg(const Values& v, const std::string& stage, const std::string& 
 
 ElementPath given_path(const Values& v) {
   const std::vector<double>& sigma = v.numbers("initial.sigma");
-  ElementPath path{.stress = {{-sigma[0], -sigma[1], -sigma[2], std::numbers::sqrt2 * v.number("initial.tau"), 0, 0}},
-                   .stages = {}};
+  const PoreWater water{.bulk_modulus = v.number("specimen.water_bulk_modulus"),
+                        .initial_pressure = v.number("initial.pore_pressure")};
+  ElementPath path{.stress = water.initial_pressure * Sym<double>::identity(), .stages = {}, .water = water};
+  for (std::size_t c = 0; c < 3; ++c) path.stress.m[c] -= sigma[c];
+  for (const auto& [c, key] : {std::pair{3, "initial.tau"}, {4, "initial.tau_13"}, {5, "initial.tau_23"}})
+    path.stress.m[static_cast<std::size_t>(c)] = std::numbers::sqrt2 * v.number(key);
   for (int s = 1; v.has(stage_prefix(s) + "repeat"); ++s) {
     const std::string at = stage_prefix(s);
     PathStage& stage = path.stages.emplace_back();
@@ -86,6 +110,14 @@ ElementPath given_path(const Values& v) {
     if (stage.legs.empty()) stage.legs.push_back(given_leg(v, at, at));
   }
   return path;
+}
+
+/// A number in the measure's own unit, or a text with a unit.
+double limit_in(const std::string& text, const std::string& unit) {
+  double x = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  const bool plain = error == std::errc{} && end == text.data() + text.size() && std::isfinite(x);
+  return plain ? x : read_quantity(text, unit);
 }
 
 } // namespace
@@ -100,19 +132,30 @@ Stop parse_stop(const std::string& text) {
     return word;
   };
   const Measure& measure = find_measure(trimmed(text.substr(0, sign)));
-  return {.measure = &measure,
-          .above = text[sign] == '>',
-          .limit = read_quantity(trimmed(text.substr(sign + 1)), measure.unit)};
+  return {
+      .measure = &measure, .above = text[sign] == '>', .limit = limit_in(trimmed(text.substr(sign + 1)), measure.unit)};
 }
 
-Leg leg_from(const PathLeg& leg, const LawPoint& point) {
+std::string Stop::text() const {
+  return measure->name + (above ? " > " : " < ") + exact_text(limit) +
+         (measure->unit == "-" ? "" : " " + measure->unit);
+}
+
+Leg leg_from(const PathLeg& leg, const LawPoint& point, const PoreWater& water) {
   Leg result{.conditions = {},
              .duration = leg.duration,
              .motion = leg.spin ? Leg::Motion::simple_shear : Leg::Motion::no_spin};
+  if (leg.deformation) {
+    result.motion = Leg::Motion::given;
+    result.deformation = *leg.deformation;
+    return result;
+  }
   for (std::size_t c = 0; c < result.conditions.size(); ++c) {
-    const auto& [measure, target] = leg.prescriptions.at(c);
-    const double now = measure->of(point), start = leg.relative || !target ? now : 0.0;
-    result.conditions[c] = condition(*measure, start + target.value_or(0.0));
+    const auto& [measure, target, swing, phase] = leg.prescriptions.at(c);
+    const double now = measure->at(point, water), start = leg.relative || !target ? now : 0.0;
+    result.conditions[c] = condition(*measure, water, start + target.value_or(0.0));
+    result.conditions[c].swing = swing;
+    result.conditions[c].phase = phase;
   }
   return result;
 }

@@ -15,9 +15,11 @@ struct Stop {
   bool above; ///< ends when the measure is above the limit, or else below
   double limit;
 
-  [[nodiscard]] bool reached(const LawPoint& point) const {
-    return above ? measure->of(point) > limit : measure->of(point) < limit;
+  [[nodiscard]] bool reached(const LawPoint& point, const PoreWater& water) const {
+    const double value = measure->at(point, water);
+    return above ? value > limit : value < limit;
   }
+  [[nodiscard]] std::string text() const; ///< "p < 20000 Pa"
 };
 /// @throws InputError that says what is allowed
 Stop parse_stop(const std::string& text);
@@ -26,10 +28,12 @@ Stop parse_stop(const std::string& text);
 struct Prescription {
   const Measure* measure;
   std::optional<double> target;
+  double swing = 0.0, phase = 0.0; ///< of a sine upon the straight line, as in Condition; phase [rad]
 };
 
 struct PathLeg {
-  std::vector<Prescription> prescriptions; ///< six
+  std::vector<Prescription> prescriptions; ///< six, or none beside a deformation gradient
+  std::optional<Mat<3>> deformation = {};  ///< from the start of the leg to its end
   bool relative = false;                   ///< targets are changes from the start of the leg
   double duration = 1.0;                   ///< [s]
   bool spin = true;                        ///< shears turn the normals of the sheared planes
@@ -43,13 +47,14 @@ struct PathStage {
 };
 
 struct ElementPath {
-  Sym<double> stress; ///< at the start, tension positive [Pa]
+  Sym<double> stress; ///< effective, at the start, tension positive [Pa]
   std::vector<PathStage> stages;
   Friction friction = Friction::principal; ///< what phi_mob is
+  PoreWater water = {};
 };
 
 /// The leg for a point that stands at its start.
-Leg leg_from(const PathLeg& leg, const LawPoint& point);
+Leg leg_from(const PathLeg& leg, const LawPoint& point, const PoreWater& water);
 
 /// The path of a validated element case.
 ElementPath element_path(const Values& values);

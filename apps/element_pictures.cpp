@@ -22,15 +22,21 @@ struct PictureOf {
 
 const Axis eps_1{"eps_1", "vertical strain ε₁ [%]", 100.0}, gamma_u{"gamma", "shear strain γ = u/h₀ [%]", 100.0};
 const Axis sigma_1{"sigma_1_Pa", "vertical stress σ₁ [kPa]", 1e-3}, tau{"tau_Pa", "shear stress τ [kPa]", 1e-3};
+const Axis p_eff{"p_Pa", "effective mean pressure p [kPa]", 1e-3}, q{"q_Pa", "q = σ₁ − (σ₂ + σ₃)/2 [kPa]", 1e-3};
 const Axis phi{"phi_mob_deg", "mobilised friction angle φ [°]"}, e{"void_ratio", "void ratio e [-]"};
 
 std::vector<PictureOf> pictures_of(const std::string& test) {
   const PictureOf stress_strain{"stress_strain.png", eps_1, sigma_1};
   const PictureOf compression{"compression.png", sigma_1, e, true};
-  if (test == "oedometer") return {stress_strain, compression};
+  const PictureOf path{"p_q.png", p_eff, q};
+  if (test == "oedometer") return {stress_strain, compression, path};
   if (test == "shear")
-    return {{"friction.png", gamma_u, phi}, {"void_ratio.png", gamma_u, e}, {"stress_strain.png", gamma_u, tau}};
-  std::vector<PictureOf> all{stress_strain, {"friction.png", eps_1, phi}, {"void_ratio.png", eps_1, e}, compression};
+    return {{"friction.png", gamma_u, phi},
+            {"void_ratio.png", gamma_u, e},
+            {"stress_strain.png", gamma_u, tau},
+            {"p_q.png", p_eff, tau}};
+  std::vector<PictureOf> all{
+      stress_strain, {"friction.png", eps_1, phi}, {"void_ratio.png", eps_1, e}, compression, path};
   if (test == "path") all.push_back({"shear.png", gamma_u, tau});
   return all;
 }
@@ -42,16 +48,23 @@ std::string title_of(const std::string& test) {
   return test == "biaxial" ? "Plane strain compression" : "Path";
 }
 
-std::vector<double> scaled(std::vector<double> values, double unit) {
-  for (double& value : values) value *= unit;
+/// A measured column; the pressure of pore water is no part of an effective one.
+std::vector<double> column_of(const Table& table, const Axis& axis) {
+  std::vector<double> values = table[axis.column];
+  if (axis.column == p_eff.column && table.has("pore_pressure_Pa"))
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] -= table["pore_pressure_Pa"][i];
+  for (double& value : values) value *= axis.unit;
   return values;
 }
 
 std::vector<double> column_of(const ElementCurve& curve, const Axis& axis) {
-  const std::vector<std::string> names = element_columns(curve.test);
+  const std::vector<std::string> names = element_columns(curve.test, curve.water);
   const auto index = static_cast<std::size_t>(std::ranges::find(names, axis.column) - names.begin());
   std::vector<double> values;
-  for (const ElementRow& row : curve.rows) values.push_back(axis.unit * element_numbers(row, curve.test)[index]);
+  for (const ElementRow& row : curve.rows) {
+    const double water = axis.column == p_eff.column ? row.pore_pressure : 0.0;
+    values.push_back(axis.unit * (element_numbers(row, curve.test, curve.water)[index] - water));
+  }
   return values;
 }
 
@@ -80,8 +93,8 @@ std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, co
     if (std::ranges::none_of(plot.series, changes_across)) continue; // no shear in a path without shear
     if (overlay && shows(picture, overlay->table))
       plot.series.push_back({.label = overlay->label,
-                             .x = scaled(overlay->table[picture.x.column], picture.x.unit),
-                             .y = scaled(overlay->table[picture.y.column], picture.y.unit),
+                             .x = column_of(overlay->table, picture.x),
+                             .y = column_of(overlay->table, picture.y),
                              .style = Style::dots,
                              .color = black});
     plots.push_back({picture.file, std::move(plot)});

@@ -1,19 +1,30 @@
 #include "apps/element_rows.hpp"
 
+#include "core/base/error.hpp"
+
 #include <Eigen/LU>
 
 namespace riedel {
 
 ElementRows::ElementRows(const Material& law, double void_ratio, double every, Friction friction,
-                         const ElementWatch& watch, std::vector<ElementRow>& rows)
+                         const PoreWater& water, const ElementWatch& watch, std::vector<ElementRow>& rows)
     : column_(state_column(law.states(), "void_ratio")),
       void_ratio_(void_ratio),
       every_(every),
       friction_(friction),
+      water_(water),
       watch_(watch),
       rows_(rows) {}
 
+void ElementRows::begin(std::int64_t stage, std::int64_t cycle) {
+  stage_ = stage;
+  cycle_ = cycle;
+}
+
 void ElementRows::look(const LawPoint& point) {
+  if (rows_.size() >= most_element_rows)
+    throw RunError("there are " + std::to_string(rows_.size()) +
+                   " rows, the most that are kept: take a larger output.every_strain, or fewer rounds");
   last_ = row_of(point);
   point_ = point;
   written_ = false;
@@ -30,7 +41,10 @@ void ElementRows::write() {
 ElementRow ElementRows::row_of(const LawPoint& point) const {
   const double e = column_ >= 0 ? point.state[static_cast<std::size_t>(column_)]
                                 : (1.0 + void_ratio_) * point.F.determinant() - 1.0; // a law that carries none
-  return element_row(point, e, friction_);
+  ElementRow row = element_row(point, e, friction_, water_.present() ? water_.pressure(point) : 0.0);
+  row.stage = stage_;
+  row.cycle = cycle_;
+  return row;
 }
 
 bool ElementRows::near(const ElementRow& a, const ElementRow& b) const {

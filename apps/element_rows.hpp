@@ -2,16 +2,19 @@
 #pragma once
 
 #include "apps/element_drivers.hpp"
+#include "apps/element_measures.hpp"
 
 namespace riedel {
 
 class ElementRows {
 public:
   /// @param void_ratio at the start, for a law that carries none   @param every strain between rows at most [-]
-  ElementRows(const Material& law, double void_ratio, double every, Friction friction, const ElementWatch& watch,
-              std::vector<ElementRow>& rows);
+  ElementRows(const Material& law, double void_ratio, double every, Friction friction, const PoreWater& water,
+              const ElementWatch& watch, std::vector<ElementRow>& rows);
 
-  /// A row, if the point lies far enough from the last one.
+  /// What follows belongs to this stage, in this round, both from 1.
+  void begin(std::int64_t stage, std::int64_t cycle);
+  /// A row, if the point lies far enough from the last one. @throws RunError when there are too many
   void look(const LawPoint& point);
   /// The last point looked at becomes a row, wherever it lies.
   void write();
@@ -23,6 +26,8 @@ private:
   int column_; ///< of the void ratio in the state; −1: none
   double void_ratio_, every_;
   Friction friction_;
+  PoreWater water_;
+  std::int64_t stage_ = 1, cycle_ = 1;
   const ElementWatch& watch_;
   std::vector<ElementRow>& rows_;
   ElementRow last_;

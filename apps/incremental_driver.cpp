@@ -1,256 +1,219 @@
 #include "apps/incremental_driver.hpp"
 
-#include "apps/input_lines.hpp"
-#include "apps/path_keys.hpp"
-#include "core/io/suggestion.hpp"
+#include "apps/incremental_case.hpp"
+#include "core/base/error.hpp"
+#include "core/io/case_text.hpp"
+#include "core/io/units.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <sstream>
+#include <array>
+#include <map>
 
 namespace riedel {
 
 namespace {
 
-constexpr double kilo = 1e3; ///< Pa in a kPa
+constexpr std::int64_t most_numbers = 10000; ///< parameters, or state variables
 
-/// The order of parameters.inp by law, as in the UMAT of hypoplastic sand at soilmodels.com.
-struct Order {
-  const char* law;
-  std::vector<std::string> names;
-};
-const std::vector<Order>& orders() {
-  static const std::vector<std::string> sand{"phi_c", "cohesion_pressure", "h_s", "n", "e_d0", "e_c0", "e_i0", "alpha",
-                                             "beta"};
-  static const std::vector<Order> all{{"von_wolffersdorff", sand}, {"gudehus_bauer", sand}};
-  return all;
-}
-constexpr std::array<const char*, 5> intergranular{"m_R", "m_T", "R", "beta_R", "chi"}; ///< behind those of the law
+/// The order of parameters.inp for the laws of hypoplastic sand, as in the UMAT at soilmodels.com.
+const std::vector<std::string> sand{"phi_c", "cohesion_pressure", "h_s", "n", "e_d0", "e_c0", "e_i0", "alpha", "beta"};
+const std::vector<std::string> sand_laws{"von_wolffersdorff", "gudehus_bauer"};
+const std::vector<std::string> intergranular{"m_R", "m_T", "R", "beta_R", "chi"}; ///< behind those of the law
 constexpr double least_m_R = 0.5;               ///< m_R above it puts intergranular strain to work
-constexpr std::size_t void_ratio_state = 7 - 1; ///< statev(7); before it, the intergranular strain
+constexpr std::size_t void_ratio = 7, pore = 8; ///< numbers in STATEV; before them, the intergranular strain
+constexpr std::size_t last_note = 13;           ///< from 9 to it STATEV holds what the UMAT notes of its own
+constexpr double least_void_ratio = 1e-3;       ///< below it, STATEV(7) takes the sixteenth parameter
 
-/// A key of the case, at the place that it was read from.
-void set(CaseFile& given, const InputLines& from, const std::string& key, const std::string& value) {
-  given.override_with(key + "=" + value, from.place());
-}
+/// What parameters.inp says of the state at the start.
+struct Start {
+  std::optional<double> void_ratio;
+};
 
-const Order& order_of(const InputLines& lines, const std::string& law) {
+void refuse_law(const InputLines& lines, const std::string& law) {
   std::string known;
-  for (const Order& order : orders()) {
-    if (order.law == law) return order;
-    known += (known.empty() ? "" : ", ") + std::string(order.law);
-  }
+  for (const std::string& each : sand_laws) known += (known.empty() ? "" : ", ") + each;
   lines.refuse("no order of parameters is known for the law '" + law + "'; known: " + known +
-               " (another law than the file's: --set material.model=LAW)");
+               " (another law than the file's: --set material.model=LAW; a UMAT: --set material.library=LIB.so)");
 }
 
-void read_parameters(CaseFile& given, const std::filesystem::path& path, const std::optional<std::string>& model) {
-  InputLines lines(path);
-  const std::string name = lines.word("the name of the law");
-  const Order& order = order_of(lines, model.value_or(name));
-  set(given, lines, "material.model", "\"" + std::string(order.law) + "\"");
-  const double count = lines.number("the number of parameters");
-  if (count < static_cast<double>(order.names.size()))
-    lines.refuse(short_text(count) + " parameters are too few: " + order.law + " needs " +
-                 std::to_string(order.names.size()));
-  for (const std::string& parameter : order.names) {
+/// The first line, without what stands behind '#'.
+std::string name_in(InputLines& lines) {
+  std::string name = lines.line("the name of the law");
+  name.erase(std::min(name.find('#'), name.size()));
+  name.erase(0, name.find_first_not_of(" \t\r"));
+  name.erase(name.find_last_not_of(" \t\r") + 1);
+  if (name.empty()) lines.refuse("needs the name of the law");
+  return name;
+}
+
+void read_umat_parameters(IncrementalCase& into, InputLines& lines, const std::string& name) {
+  into.set(lines, "material.model", "\"umat\"");
+  into.set(lines, "material.name", toml_text(name));
+  const std::int64_t count = lines.integer("the number of parameters", 0, most_numbers);
+  std::vector<double> all;
+  while (static_cast<std::int64_t>(all.size()) < count)
+    all.push_back(lines.number("parameter " + std::to_string(all.size() + 1)));
+  into.set(lines, "material.parameters", toml_text(all));
+}
+
+void read_intergranular(IncrementalCase& into, InputLines& lines, std::int64_t count) {
+  const auto all = static_cast<std::int64_t>(sand.size() + intergranular.size());
+  const double m_R = lines.number(intergranular.front());
+  const bool at_work = m_R > least_m_R;
+  if (at_work && count < all)
+    lines.refuse("m_R = " + exact_text(m_R) + " asks for intergranular strain, which needs " + std::to_string(all) +
+                 " parameters");
+  if (at_work) {
+    into.set(lines, "material.intergranular_strain", "true");
+    into.set(lines, "material.m_R", m_R);
+  }
+  for (std::size_t i = 1; i < intergranular.size() && static_cast<std::int64_t>(sand.size() + i) < count; ++i) {
+    const double x = lines.number(intergranular[i]);
+    if (at_work) into.set(lines, "material." + intergranular[i], x);
+  }
+}
+
+/// The fifteenth parameter is the bulk modulus of water, the sixteenth a void ratio for a state that has none.
+void read_water(IncrementalCase& into, InputLines& lines) {
+  const double K_w = lines.number("the bulk modulus of water");
+  if (K_w < 0.0) lines.refuse("a bulk modulus of water of " + exact_text(K_w) + "; allowed: 0 or more");
+
+  into.set(lines, "specimen.water_bulk_modulus", K_w * into.stress_unit);
+}
+
+Start read_sand_parameters(IncrementalCase& into, InputLines& lines, const std::string& law) {
+  constexpr std::int64_t water = 15, e_0 = 16;
+  if (std::ranges::find(sand_laws, law) == sand_laws.end()) refuse_law(lines, law);
+  into.set(lines, "material.model", toml_text(law));
+  const std::int64_t count = lines.integer("the number of parameters", 0, most_numbers);
+  const auto own = static_cast<std::int64_t>(sand.size());
+  if (count < own)
+    lines.refuse(std::to_string(count) + " parameters are too few: " + law + " needs " + std::to_string(own));
+  if (count > e_0)
+    lines.refuse(std::to_string(count) + " parameters are too many: what stands behind the " + std::to_string(e_0) +
+                 "th is not known");
+  for (const std::string& parameter : sand) {
     const double x = lines.number(parameter);
     const bool of_pressure = parameter == "h_s" || parameter == "cohesion_pressure";
-    set(given, lines, "material." + parameter, exact_text(of_pressure ? kilo * x : x));
+    into.set(lines, "material." + parameter, of_pressure ? into.stress_unit * x : x);
   }
-  if (count <= static_cast<double>(order.names.size())) return;
-  const double m_R = lines.number("m_R");
-  if (m_R <= least_m_R) return;
-  if (count < static_cast<double>(order.names.size() + intergranular.size()))
-    lines.refuse("m_R = " + exact_text(m_R) + " asks for intergranular strain, which needs " +
-                 std::to_string(order.names.size() + intergranular.size()) + " parameters");
-  set(given, lines, "material.intergranular_strain", "true");
-  set(given, lines, "material.m_R", exact_text(m_R));
-  for (const char* parameter : intergranular)
-    if (parameter != intergranular.front())
-      set(given, lines, std::string("material.") + parameter, exact_text(lines.number(parameter)));
+  Start start;
+  if (count > own) read_intergranular(into, lines, count);
+  if (count >= water) read_water(into, lines);
+  if (count >= e_0) start.void_ratio = lines.number("the void ratio");
+  return start;
 }
 
-void read_initial_conditions(CaseFile& given, const std::filesystem::path& path) {
-  InputLines lines(path);
-  const auto components = static_cast<std::size_t>(lines.number("the number of stress components"));
+void read_stress(IncrementalCase& into, InputLines& lines) {
+  const std::int64_t components = lines.integer("the number of stress components", 0, 6);
   std::array<double, 6> stress{};
-  for (std::size_t c = 0; c < components; ++c) {
-    const double x = lines.number("a stress component");
-    if (c > 3 && x != 0.0) lines.refuse("a shear stress 13 or 23 at the start is not supported; only 0");
-    if (c < stress.size()) stress[c] = kilo * x;
-  }
-  set(given, lines, "initial.sigma",
-      "[" + exact_text(-stress[0]) + "," + exact_text(-stress[1]) + "," + exact_text(-stress[2]) + "]");
-  set(given, lines, "initial.tau", exact_text(stress[3]));
-  const auto states = static_cast<std::size_t>(lines.number("the number of state variables"));
-  if (states <= void_ratio_state) lines.refuse("needs 7 state variables or more: the void ratio is statev(7)");
-  std::string strain;
-  for (std::size_t s = 0; s < void_ratio_state; ++s) {
-    const double x = lines.number("statev(" + std::to_string(s + 1) + ")");
-    if (s > 2 && x != 0.0) lines.refuse("a shear of the intergranular strain at the start is not supported; only 0");
-    if (s < 3) strain += (strain.empty() ? "[" : ",") + exact_text(0.0 - x);
-  }
-  set(given, lines, "initial.intergranular_strain", strain + "]");
-  set(given, lines, "specimen.void_ratio", exact_text(lines.number("statev(7), the void ratio")));
+  for (std::int64_t c = 0; c < components; ++c)
+    stress[static_cast<std::size_t>(c)] = into.stress_unit * lines.number("a stress component");
+  into.set(lines, "initial.sigma", toml_text(std::vector{0.0 - stress[0], 0.0 - stress[1], 0.0 - stress[2]}));
+  into.set(lines, "initial.tau", stress[3]);
+  into.set(lines, "initial.tau_13", stress[4]);
+  into.set(lines, "initial.tau_23", stress[5]);
 }
 
-/// One of the six conditions of a step in its variables: the strain's measure and the stress's, with signs.
-struct Pair {
-  const char *strain, *stress;
-  double strain_sign, stress_sign;
-};
-constexpr std::array<Pair, 6> cartesian{{{"ln_1", "sigma_1", -1, -1},
-                                         {"ln_2", "sigma_2", -1, -1},
-                                         {"ln_3", "sigma_3", -1, -1},
-                                         {"ln_12", "tau", 1, 1},
-                                         {"ln_13", "tau_13", 1, 1},
-                                         {"ln_23", "tau_23", 1, 1}}};
-constexpr std::array<Pair, 3> roscoe{{{"ln_p", "p", 1, 1}, {"ln_q", "q", 1, 1}, {"ln_z", "sigma_2_minus_3", 1, 1}}};
-
-/// A step: which of the six are stresses, and by how much they change.
-struct Load {
-  std::array<bool, 6> is_stress{};
-  std::array<double, 6> change{};
-  bool in_roscoe = false;
-};
-
-/// The steps that need one number behind their line of increments, or none, and which components are stresses.
-struct Shorthand {
-  const char* keyword;
-  int changed; ///< the component whose change follows; −1: none does
-  std::array<bool, 6> is_stress;
-  bool in_roscoe;
-};
-constexpr std::array<Shorthand, 9> shorthands{{
-    {"*OedometricE1", 0, {}, false},
-    {"*OedometricS1", 0, {true}, false},
-    {"*TriaxialE1", 0, {false, true, true}, false},
-    {"*TriaxialS1", 0, {true, true, true}, false},
-    {"*TriaxialUEq", 1, {}, true},
-    {"*TriaxialUq", 1, {false, true}, true},
-    {"*PureRelaxation", -1, {}, false},
-    {"*PureCreep", -1, {true, true, true, true, true, true}, false},
-    {"*UndrainedCreep", -1, {false, true, true, true, true, true}, true},
-}};
-
-Load read_linear_load(InputLines& lines) {
-  Load load;
-  const std::string variables = lines.word("*Cartesian or *Roscoe");
-  load.in_roscoe = variables == "*Roscoe";
-  if (variables != "*Cartesian" && !load.in_roscoe)
-    lines.refuse("the variables '" + variables + "' are not supported; known: *Cartesian, *Roscoe");
-  for (std::size_t c = 0; c < 6; ++c) {
-    const auto pair = lines.numbers(2, "0 (strain) or 1 (stress), and a change");
-    if (pair[0] != 0.0 && pair[0] != 1.0) lines.refuse("a condition begins with 0 (strain) or 1 (stress)");
-    load.is_stress[c] = pair[0] == 1.0;
-    load.change[c] = pair[1];
-  }
-  return load;
+/// STATEV; what is missing at the end of the file is zero.
+std::vector<double> read_states(InputLines& lines) {
+  std::vector<double> all(static_cast<std::size_t>(lines.integer("the number of state variables", 0, most_numbers)));
+  std::string line;
+  for (std::size_t s = 0; s < all.size() && lines.next(line); ++s)
+    all[s] = lines.numbers_in(line, 1, "statev(" + std::to_string(s + 1) + ")").front();
+  return all;
 }
 
-[[noreturn]] void refuse_keyword(const InputLines& lines, const std::string& keyword) {
-  std::vector<std::string> names{"*LinearLoad", "*Repetition", "*End"};
-  for (const Shorthand& each : shorthands) names.emplace_back(each.keyword);
-  std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  lines.refuse("the keyword '" + keyword + "' is not supported" + did_you_mean(keyword, names) + "; known: " + known);
+void take_sand_states(IncrementalCase& into, const InputLines& lines, std::vector<double> state, const Start& start) {
+  if (state.size() < void_ratio && !start.void_ratio)
+    lines.refuse("needs 7 state variables or more: the void ratio is statev(7)");
+  state.resize(std::max(state.size(), pore), 0.0);
+  for (std::size_t s = 3; s < void_ratio - 1; ++s)
+    if (state[s] != 0.0) lines.refuse("a shear of the intergranular strain at the start is not supported; only 0");
+  for (std::size_t s = last_note; s < state.size(); ++s)
+    if (state[s] != 0.0)
+      lines.refuse("statev(" + std::to_string(s + 1) + ") = " + exact_text(state[s]) + " is not known; only 0");
+  into.set(lines, "initial.intergranular_strain",
+           toml_text(std::vector{0.0 - state[0], 0.0 - state[1], 0.0 - state[2]}));
+  double e = state[void_ratio - 1];
+  if (start.void_ratio && e < least_void_ratio) e = *start.void_ratio;
+  into.set(lines, "specimen.void_ratio", e);
+  into.set(lines, "initial.pore_pressure", -into.stress_unit * state[pore - 1]);
 }
 
-/// One step as a leg. @param keyword its name   @param prefix of its keys
-void read_step(CaseFile& given, InputLines& lines, const std::string& keyword, const std::string& prefix) {
-  const auto shorthand = std::ranges::find_if(shorthands, [&](const Shorthand& s) { return keyword == s.keyword; });
-  if (keyword != "*LinearLoad" && shorthand == shorthands.end()) refuse_keyword(lines, keyword);
-  const double duration = lines.numbers(3, "increments, iterations and a time")[2];
-  if (duration > 0.0) set(given, lines, prefix + "duration", exact_text(duration));
-  Load load;
-  if (shorthand == shorthands.end()) {
-    load = read_linear_load(lines);
-  } else {
-    load.is_stress = shorthand->is_stress;
-    load.in_roscoe = shorthand->in_roscoe;
-    if (shorthand->changed >= 0) load.change[static_cast<std::size_t>(shorthand->changed)] = lines.number("a change");
+/// The number of the void ratio in STATEV by the names that the settings give it, from 0.
+std::optional<std::size_t> named_void_ratio(const CaseFile& settings) {
+  std::istringstream words(settings.peek_text("material.state_names").value_or(""));
+  std::size_t number = 0;
+  for (std::string word; std::getline(words, word, ',');) {
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    if (word == "void_ratio") return number;
+    number += word.find(':') == std::string::npos ? 1 : 6;
   }
-  for (std::size_t c = 0; c < 6; ++c) {
-    const Pair& pair = load.in_roscoe && c < 3 ? roscoe[c] : cartesian[c];
-    const double change =
-        load.is_stress[c] ? kilo * pair.stress_sign * load.change[c] : pair.strain_sign * load.change[c];
-    set(given, lines, prefix + (load.is_stress[c] ? pair.stress : pair.strain), exact_text(change + 0.0));
-  }
+  return std::nullopt;
 }
 
-/// A keyword without the blank space around it. Conditions that end a step early stand behind a question mark.
-std::string keyword_in(const InputLines& lines, const std::string& line) {
-  std::string keyword, rest;
-  std::istringstream words(line);
-  words >> keyword >> rest;
-  if (rest.starts_with('?')) lines.refuse("conditions that end a step early ('?') are not supported");
-  return keyword;
+void take_umat_states(IncrementalCase& into, const InputLines& lines, const std::vector<double>& state,
+                      const CaseFile& settings) {
+  into.set(lines, "material.state", toml_text(state));
+  if (const auto e = named_void_ratio(settings); e && *e < state.size())
+    into.set(lines, "specimen.void_ratio", state[*e]);
 }
 
-void read_test(CaseFile& given, const std::filesystem::path& path) {
-  InputLines lines(path);
-  (void)lines.word("the name of the output"); // ours is output.txt in the folder of results
-  int stage = 0;
-  for (std::string line; lines.next(line);) {
-    const std::string keyword = keyword_in(lines, line);
-    if (keyword == "*End") break;
-    const std::string at = stage_prefix(++stage);
-    set(given, lines, at + "name", "\"" + keyword.substr(keyword.starts_with('*') ? 1 : 0) + "\"");
-    set(given, lines, at + "relative", "true");
-    set(given, lines, at + "spin", "false");
-    if (keyword != "*Repetition") {
-      read_step(given, lines, keyword, at);
-      continue;
-    }
-    const auto counts = lines.numbers(2, "the number of steps and of repetitions");
-    set(given, lines, at + "repeat", std::to_string(static_cast<std::int64_t>(counts[1])));
-    for (int leg = 1; leg <= static_cast<int>(counts[0]); ++leg)
-      read_step(given, lines, lines.word("a step"), leg_prefix(stage, leg));
-  }
+std::filesystem::path usual(const std::string& key) {
+  return key == "param" ? "parameters.inp" : key == "ini" ? "initialconditions.inp" : "test.inp";
 }
 
 } // namespace
 
-CaseFile import_incremental_driver(const std::filesystem::path& folder, const std::optional<std::string>& model) {
-  CaseFile given = CaseFile::empty();
-  read_parameters(given, folder / "parameters.inp", model);
-  read_initial_conditions(given, folder / "initialconditions.inp");
-  read_test(given, folder / "test.inp");
-  return given;
-}
-
-IncrementalOutput::IncrementalOutput(const std::filesystem::path& path, const Material& law) : file_(path) {
-  const auto states = static_cast<std::size_t>(state_components(law.states()));
-  const int h = state_column(law.states(), "intergranular_strain"), e = state_column(law.states(), "void_ratio");
-  for (int c = 0; c < 6; ++c) columns_.push_back(h < 0 ? -1 : h + c);
-  columns_.push_back(e);
-  for (int c = 0; c < static_cast<int>(states); ++c)
-    if (c != e && (h < 0 || c < h || c >= h + 6)) columns_.push_back(c);
-  std::string header = " time(1) time(2)";
-  for (const auto& [name, count] :
-       {std::pair{" stran(", std::size_t{6}}, {" stress(", 6}, {" statev(", columns_.size()}})
-    for (std::size_t i = 1; i <= count; ++i) header += name + std::to_string(i) + ")";
-  file_.write(header + "\n");
-}
-
-void IncrementalOutput::add(const LawPoint& point) {
-  constexpr double root = std::numbers::sqrt2;
-  std::string text;
-  const auto print = [&](double x) {
-    std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), " %15.8E", x + 0.0);
-    text += buffer.data();
-  };
-  print(point.time);
-  print(point.time);
-  for (std::size_t c = 0; c < 6; ++c) print(c < 3 ? point.strain.m[c] : root * point.strain.m[c]);
-  for (std::size_t c = 0; c < 6; ++c) print(point.stress.m[c] / (c < 3 ? kilo : root * kilo));
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    const double x = columns_[c] < 0 ? 0.0 : point.state[static_cast<std::size_t>(columns_[c])];
-    print(c >= 3 && c < 6 ? root * x : x); // shears of the intergranular strain, as of strain
+IncrementalFiles incremental_files(const std::vector<std::string>& wishes) {
+  std::filesystem::path folder = ".";
+  std::map<std::string, std::filesystem::path> names;
+  for (const char* key : {"param", "ini", "test"}) names[key] = usual(key);
+  for (const std::string& wish : wishes) {
+    const std::string key = wish.substr(0, std::min(wish.find('='), wish.size()));
+    if (key != wish && names.contains(key)) {
+      names[key] = wish.substr(key.size() + 1);
+    } else if (std::filesystem::is_regular_file(wish)) {
+      folder = std::filesystem::path(wish).parent_path();
+      names["test"] = std::filesystem::path(wish).filename();
+    } else if (std::filesystem::is_directory(wish)) {
+      folder = wish;
+    } else {
+      throw InputError("--import " + wish +
+                       ": there is no such folder or file; allowed: a folder, a file like test.inp, param=FILE, "
+                       "ini=FILE, test=FILE");
+    }
   }
-  file_.write(text + "\n");
+  return {folder / names["param"], folder / names["ini"], folder / names["test"]};
+}
+
+CaseFile import_incremental_driver(const IncrementalFiles& files, const CaseFile& settings) {
+  IncrementalCase into;
+  const std::optional<std::string> wish = settings.peek_text("material.model");
+  const bool umat = wish == "umat" || (!wish && settings.peek_text("material.library"));
+  if (umat) {
+    const std::string unit = settings.peek_text("material.stress_unit").value_or("kPa");
+    into.stress_unit = read_quantity("1 " + unit, "Pa");
+    into.given.override_with("material.stress_unit=" + unit, files.parameters.string() + ":");
+  }
+  InputLines parameters(files.parameters);
+  const std::string name = name_in(parameters);
+  Start start;
+  if (umat)
+    read_umat_parameters(into, parameters, name);
+  else
+    start = read_sand_parameters(into, parameters, wish.value_or(name));
+  InputLines initial(files.initial_conditions);
+  read_stress(into, initial);
+  const std::vector<double> state = read_states(initial);
+  if (umat)
+    take_umat_states(into, initial, state, settings);
+  else
+    take_sand_states(into, initial, state, start);
+  read_incremental_test(into, files.test);
+  return std::move(into.given);
 }
 
 } // namespace riedel

@@ -1,29 +1,25 @@
 /// Element tests in the files of IncrementalDriver (Niemunis 2007), in which many laws are published: parameters.inp,
-/// initialconditions.inp and test.inp are read, and an output in its columns is written.
+/// initialconditions.inp and test.inp.
 #pragma once
 
 #include "core/io/case_file.hpp"
-#include "core/io/history.hpp"
-#include "materials/law_point.hpp"
 
 namespace riedel {
 
-/// The case that the three files describe. Tension is positive in them and stresses are in kPa; strains are natural,
-/// and shears 2 ε_ij, without spin. The law is that of parameters.inp's first line, or `model` if that is given.
-/// @throws InputError with file and line for what cannot be read or is not supported
-CaseFile import_incremental_driver(const std::filesystem::path& folder, const std::optional<std::string>& model);
-
-/// The columns time(1) time(2) stran(1..6) stress(1..6) statev(1..), tension positive, stresses in kPa. The state is
-/// that of UMATs for hypoplastic sand: intergranular strain (0 of a law without), void ratio, and then what else there
-/// is.
-class IncrementalOutput {
-public:
-  IncrementalOutput(const std::filesystem::path& path, const Material& law);
-  void add(const LawPoint& point);
-
-private:
-  OutputFile file_;
-  std::vector<int> columns_; ///< of the law's state for each statev; −1: it has none
+struct IncrementalFiles {
+  std::filesystem::path parameters, initial_conditions, test;
 };
+
+/// @param wishes of `--import`: a folder, a file like test.inp, or param=FILE, ini=FILE, test=FILE, as the program
+/// takes them; file names are looked for in the folder, and those that are not named have their usual ones
+/// @throws InputError for a wish that is none of these
+IncrementalFiles incremental_files(const std::vector<std::string>& wishes);
+
+/// The case that the files describe. Tension is positive in them and stresses are in kPa, or in the unit of a UMAT;
+/// strains are natural, and shears 2 ε_ij, without spin. The law is that of the first line of parameters.inp, unless
+/// the settings name one; with a library, the parameters go to the UMAT as they are.
+/// @param settings of the command line, which go on top of the case later
+/// @throws InputError with file and line for what cannot be read or is not supported
+CaseFile import_incremental_driver(const IncrementalFiles& files, const CaseFile& settings);
 
 } // namespace riedel

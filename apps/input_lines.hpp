@@ -1,6 +1,7 @@
 /// A file of lines that begin with numbers or with a word; what follows is a comment.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -20,8 +21,16 @@ public:
   bool next(std::string& line);
   /// The first word of the next line. @param what names it, should it be missing
   std::string word(const std::string& what);
+  /// The next line, whatever it says. @param what names it, should it be missing
+  std::string line(const std::string& what);
   /// The first numbers of the next line, 1.0d0 among them. @param what names them, should they be missing
   std::vector<double> numbers(std::size_t count, const std::string& what);
+  /// The first numbers of a line that has been read.
+  [[nodiscard]] std::vector<double> numbers_in(std::string line, std::size_t count, const std::string& what) const;
+  /// An integer at the beginning of the next line. @param what names it
+  std::int64_t integer(const std::string& what, std::int64_t least, std::int64_t most);
+  /// The same number as an integer, or refused.
+  [[nodiscard]] std::int64_t integer_of(double x, const std::string& what, std::int64_t least, std::int64_t most) const;
   double number(const std::string& what) { return numbers(1, what).front(); }
 
 private:

@@ -95,8 +95,12 @@ std::string element_reference(const Catalogue& catalogue) {
   for (const std::string& test : element_tests())
     text += "## `riedel element " + test + "`\n\n" +
             dotted_table(element_keys(catalogue, test, paper_model), {"specimen.", "initial.", "loading."});
-  return text + "### `[[stage]]`\n\n" + markdown_table(stage_keys("")) + "### `[[stage.leg]]`\n\n" +
-         markdown_table(leg_keys("")) + "## Any of them\n\n" +
+  return text + "### `[[stage]]`\n\n" + markdown_table(stage_keys("")) +
+         "A number or \"hold\" may have one period of a sine upon it: `MEASURE_swing`, the amplitude in the measure's "
+         "unit, and "
+         "`MEASURE_phase`, the\nangle at the start of the leg [deg], such as `tau_swing = \"20 kPa\"`. A leg takes "
+         "them, too.\n\n" +
+         "### `[[stage.leg]]`\n\n" + markdown_table(leg_keys("")) + "## Any of them\n\n" +
          dotted_table(element_keys(catalogue, element_tests().front(), paper_model), {"driver.", "output."});
 }
 

@@ -1,6 +1,6 @@
 #include "apps/path_keys.hpp"
 
-#include "apps/element_path.hpp"
+#include "apps/element_measures.hpp"
 #include "apps/material_keys.hpp"
 #include "core/base/error.hpp"
 
@@ -20,28 +20,14 @@ Keys measure_keys(const std::string& prefix) {
                       {},
                       measure.doc,
                       {std::string(free_word), std::string(hold_word)}});
+  keys.push_back({prefix + "deformation_gradient",
+                  std::vector<double>{},
+                  "-",
+                  {},
+                  "F from the start of the leg to its end, row by row, to which it goes straight; instead of measures",
+                  {},
+                  true});
   return keys;
-}
-
-/// The keys that a finding about a leg points to: first one that is given.
-std::vector<std::string> keys_of(const Values& values, int stage, int leg) {
-  std::vector<std::string> given, other;
-  for (const std::string& prefix : {leg_prefix(stage, leg), stage_prefix(stage)})
-    for (const Measure& measure : measures()) {
-      const std::string key = prefix + measure.name;
-      const bool says = values.has(key) && values.at(key) != Value(std::string(free_word));
-      (says ? given : other).push_back(key);
-    }
-  given.insert(given.end(), other.begin(), other.end());
-  return given;
-}
-
-void check_leg(const PathLeg& leg, const std::vector<std::string>& keys, std::vector<Finding>& errors) {
-  if (leg.prescriptions.size() == 6) return;
-  std::string given;
-  for (const Prescription& each : leg.prescriptions) given += (given.empty() ? "" : ", ") + each.measure->name;
-  errors.push_back({keys, "a leg needs six conditions, and this one has " + std::to_string(leg.prescriptions.size()) +
-                              ": " + given + " (a shear that is not named is held)"});
 }
 
 /// Number of tables in a list, such as "stage" or "stage.2.leg".
@@ -62,17 +48,6 @@ int tables_in(const CaseFile& given, const std::string& list) {
                        std::to_string(most));
   }
   return count;
-}
-
-bool check_limits(const Values& values, std::vector<Finding>& errors) {
-  const std::size_t before = errors.size();
-  for (int stage = 1; values.has(stage_prefix(stage) + "until"); ++stage) {
-    const std::string key = stage_prefix(stage) + "until";
-    try {
-      if (!values.text(key).empty()) (void)parse_stop(values.text(key));
-    } catch (const InputError& error) { errors.push_back({{key}, error.what()}); }
-  }
-  return errors.size() == before;
 }
 
 } // namespace
@@ -96,6 +71,23 @@ Keys stage_keys(const std::string& prefix) {
   return keys;
 }
 
+std::string swing_key(const std::string& measure) { return measure + "_swing"; }
+std::string phase_key(const std::string& measure) { return measure + "_phase"; }
+
+Keys wave_keys(const std::string& prefix) {
+  Keys keys;
+  for (const Measure& measure : measures()) {
+    if (!measure.can_be_prescribed) continue;
+    keys.push_back({prefix + swing_key(measure.name),
+                    0.0,
+                    measure.unit,
+                    {},
+                    "amplitude of one period of a sine over the leg, beside what " + measure.name + " says"});
+    keys.push_back({prefix + phase_key(measure.name), 0.0, "deg", {}, "angle of that sine at the start of the leg"});
+  }
+  return keys;
+}
+
 Keys leg_keys(const std::string& prefix) {
   Keys keys{{prefix + "duration", 1.0, "s", more_than(0), "time that the leg takes"}};
   append(keys, measure_keys(prefix));
@@ -108,20 +100,14 @@ Keys path_keys(const CaseFile& given) {
   for (int stage = 1; stage <= stages; ++stage) {
     const std::string prefix = stage_prefix(stage);
     append(keys, stage_keys(prefix));
+    append(keys, wave_keys(prefix));
     const int legs = tables_in(given, prefix + "leg");
-    for (int leg = 1; leg <= legs; ++leg) append(keys, leg_keys(leg_prefix(stage, leg)));
+    for (int leg = 1; leg <= legs; ++leg) {
+      append(keys, leg_keys(leg_prefix(stage, leg)));
+      append(keys, wave_keys(leg_prefix(stage, leg)));
+    }
   }
   return keys;
-}
-
-void check_path(const Values& values, std::vector<Finding>& errors) {
-  if (!check_limits(values, errors)) return;
-  const ElementPath path = element_path(values);
-  if (path.stages.empty())
-    errors.push_back({{"test"}, "a path needs at least one [[stage]]; docs/howto/element_paths.md has examples"});
-  for (std::size_t s = 0; s < path.stages.size(); ++s)
-    for (std::size_t l = 0; l < path.stages[s].legs.size(); ++l)
-      check_leg(path.stages[s].legs[l], keys_of(values, static_cast<int>(s + 1), static_cast<int>(l + 1)), errors);
 }
 
 } // namespace riedel

@@ -13,10 +13,11 @@ std::string leg_prefix(int stage, int leg); ///< "stage.1.leg.2."
 
 Keys stage_keys(const std::string& prefix);
 Keys leg_keys(const std::string& prefix);
+/// Of a sine that a measure follows beside its straight line, in a stage or in a leg.
+Keys wave_keys(const std::string& prefix);
+std::string swing_key(const std::string& measure); ///< "tau_swing", the amplitude
+std::string phase_key(const std::string& measure); ///< "tau_phase", the angle at the start [deg]
 /// Keys for as many stages and legs as the case has. @throws InputError where their numbers have a gap
 Keys path_keys(const CaseFile& given);
-
-/// Six conditions in each leg, limits that can be read, at least one stage.
-void check_path(const Values& values, std::vector<Finding>& errors);
 
 } // namespace riedel

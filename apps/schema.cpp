@@ -97,8 +97,10 @@ Json case_schema(const std::string& title, const Keys& keys, const Catalogue& ca
 /// A list of stages, each with a list of legs.
 Json stages_schema() {
   Json leg = section_schema(), stage = section_schema();
-  for (const Key& key : leg_keys("")) leg["properties"][key.name] = property(key);
-  for (const Key& key : stage_keys("")) stage["properties"][key.name] = property(key);
+  for (const Keys& keys : {leg_keys(""), wave_keys("")})
+    for (const Key& key : keys) leg["properties"][key.name] = property(key);
+  for (const Keys& keys : {stage_keys(""), wave_keys("")})
+    for (const Key& key : keys) stage["properties"][key.name] = property(key);
   stage["properties"]["leg"] = {{"type", "array"}, {"items", leg}};
   return {{"type", "array"}, {"items", stage}};
 }

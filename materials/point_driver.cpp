@@ -66,7 +66,7 @@ PointDriver::PointDriver(const Material& law, LawPoint start, const PointControl
 /// round-off. A law that keeps its strain computes stress from it, to the round-off of strain times its stiffness.
 PointDriver::Allowed PointDriver::allowed() const {
   const double speed = survey(law_, point_).wave_speed;
-  const double stiffness = law_.density(point_.state) * speed * speed;
+  const double stiffness = law_.density(point_.state) * speed * speed + control_.added_stiffness;
   const double noise = round_off * (32.0 * norm(point_.stress) + 16.0 * (std::isfinite(stiffness) ? stiffness : 0.0));
   const double stress = std::min(1e-9, 1e-5 * control_.tolerance) * std::max(norm(point_.stress), 1.0);
   return {.noise = noise,

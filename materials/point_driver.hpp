@@ -41,6 +41,7 @@ struct PointControl {
   double largest_share = 0.02; ///< of a leg that one step may take [-]
   /// Of the stress, relative, and of the strain in one step, so that straight lines show the curve [-].
   double largest_change = 0.02, largest_strain = 0.01;
+  double added_stiffness = 0.0; ///< of what conditions of stress hold beside the law's stress [Pa]
 };
 
 /// Each step is of second order: the velocity gradient is constant over it, and a modified Newton iteration finds the

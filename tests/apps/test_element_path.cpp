@@ -33,8 +33,8 @@ protected:
 /// "eps_1=0.1" or "sigma_2" where it is held.
 std::vector<std::string> words(const PathLeg& leg) {
   std::vector<std::string> all;
-  for (const auto& [measure, target] : leg.prescriptions)
-    all.push_back(measure->name + (target ? "=" + short_text(*target) : ""));
+  for (const Prescription& each : leg.prescriptions)
+    all.push_back(each.measure->name + (each.target ? "=" + short_text(*each.target) : ""));
   return all;
 }
 
@@ -67,13 +67,24 @@ TEST_F(ElementPaths, LegsTakeWhatTheirStageSaysAndCanSayOtherwise) {
               ElementsAre("eps_3", "sigma_1", "sigma_2=9e+04", "tau=-5e+03", "gamma_13", "gamma_23"));
 }
 
+TEST_F(ElementPaths, LimitsAreNumbersOrTextsWithAUnit) {
+  for (const auto& [text, same] : {std::pair{"gamma > 0.05", "gamma > 0.05"},
+                                   {"eps_v<-1e-3", "eps_v < -0.001"},
+                                   {"p < 20 kPa", "p < 20000.0 Pa"},
+                                   {"p < 2e4", "p < 20000.0 Pa"},
+                                   {"phi_mob > 35", "phi_mob > 35.0 deg"}})
+    EXPECT_EQ(parse_stop(text).text(), same);
+  for (const char* wrong : {"gamma > 5 kPa", "p < much", "p <", "p = 3"})
+    EXPECT_THROW((void)parse_stop(wrong), InputError);
+}
+
 TEST_F(ElementPaths, RelativeTargetsAreChanges) {
   const PathLeg leg = path("test = 'path'\n[[stage]]\nrelative = true\neps_1 = 0.01\nsigma_2 = 'hold'\nsigma_3 = 5e3\n")
                           .stages[0]
                           .legs[0];
   LawPoint point{.stress = -100e3 * Sym<double>::identity()};
   point.F(0, 0) = 0.98;
-  const Leg absolute = leg_from(leg, point);
+  const Leg absolute = leg_from(leg, point, {});
   const auto target = [&](const char* name) {
     return std::ranges::find(absolute.conditions, name, &Condition::name)->target;
   };
@@ -117,6 +128,57 @@ TEST_F(ElementPaths, RefusesNumbersOfTablesBehindAGap) {
   EXPECT_THAT(errors(many), HasSubstr("case.toml:2003:10: stage.1001.repeat: is one of 1001; allowed: at most 1000"));
 }
 
+TEST_F(ElementPaths, PoreWaterStandsInTotalStressesAlone) {
+  const ElementPath given = path("test = 'path'\n[specimen]\nwater_bulk_modulus = '2 GPa'\n[initial]\n"
+                                 "sigma = ['150 kPa', '140 kPa', '130 kPa']\ntau_23 = 3e3\npore_pressure = '50 kPa'\n"
+                                 "[[stage]]\nrelative = true\neps_1 = 0.01\nsigma_2 = 'hold'\np = 4e3\n");
+  EXPECT_EQ(given.stress.m[0], -100e3) << "effective";
+  EXPECT_EQ(given.stress.m[5], std::numbers::sqrt2 * 3e3);
+  LawPoint point{.stress = given.stress};
+  point.strain.m[0] = -1e-5; // 20 kPa of water
+  EXPECT_NEAR(find_measure("u").at(point, given.water), 70e3, 1e-6);
+  EXPECT_NEAR(find_measure("sigma_1").at(point, given.water), 170e3, 1e-6);
+  EXPECT_NEAR(find_measure("sigma_2_plus_3").at(point, given.water), 310e3, 1e-6);
+  EXPECT_NEAR(find_measure("p_eff").at(point, given.water), 90e3, 1e-6);
+  EXPECT_EQ(find_measure("q").at(point, given.water), find_measure("q").of(point));
+  const Leg leg = leg_from(given.stages[0].legs[0], point, given.water);
+  const auto p = std::ranges::find(leg.conditions, "p", &Condition::name);
+  EXPECT_NEAR(p->measure(point), 160e3, 1e-6);
+  EXPECT_NEAR(p->target, 164e3, 1e-6);
+  EXPECT_THAT(errors("test = 'path'\n[[stage]]\nu = 1\n"), HasSubstr("stage.1.u: unknown key"));
+}
+
+TEST_F(ElementPaths, SinesAndDeformationGradientsAreCheckedToo) {
+  const std::string held = "test = 'path'\n[[stage]]\neps_1 = 'hold'\neps_2 = 'hold'\neps_3 = 'hold'\n";
+  const PathLeg leg = path(held + "tau = 'hold'\ntau_swing = '5 kPa'\ntau_phase = 90\n").stages[0].legs[0];
+  const auto tau = std::ranges::find(leg.prescriptions, "tau", [](const Prescription& p) { return p.measure->name; });
+  EXPECT_EQ(tau->swing, 5e3);
+  EXPECT_NEAR(tau->phase, std::numbers::pi / 2, 1e-15);
+  EXPECT_THAT(errors(held + "tau_swing = 5e3\n"),
+              HasSubstr("case.toml:6:13: stage.1.tau_swing: the leg does not prescribe tau"));
+  const std::string given = "test = 'path'\n[[stage]]\ndeformation_gradient = ";
+  const PathLeg whole = path(given + "[0.9, 0.1, 0, 0.2, 1, 0, 0, 0, 1]\n").stages[0].legs[0];
+  EXPECT_TRUE(whole.prescriptions.empty());
+  EXPECT_EQ((*whole.deformation)(1, 0), 0.2);
+  EXPECT_THAT(errors(given + "[1, 0, 0]\n"), HasSubstr("stage.1.deformation_gradient: has 3 numbers; allowed: 9"));
+  EXPECT_THAT(errors(given + "[-1, 0, 0, 0, 1, 0, 0, 0, 1]\n"), HasSubstr("determinant that is not positive"));
+  EXPECT_THAT(errors(given + "[1, 0, 0, 0, 1, 0, 0, 0, 1]\ngamma = 0.1\n"), HasSubstr("asks for gamma as well"));
+}
+
+/// What would take hours, or all of the memory, is told before it begins.
+TEST_F(ElementPaths, RefusesPathsOfMoreRowsThanCanBeKept) {
+  const std::string strains = "test = 'path'\n[[stage]]\neps_2 = 'hold'\neps_3 = 'hold'\n";
+  const std::string cycles = "[[stage.leg]]\neps_1 = 0.1\n[[stage.leg]]\neps_1 = 0.0\n";
+  EXPECT_THAT(errors(strains + "repeat = 1_000_000\n" + cycles),
+              HasSubstr("case.toml:5:10: stage.1.repeat: the path has at least 4e+08 rows up to here; allowed: at most "
+                        "1000000"));
+  EXPECT_EQ(errors(strains + "repeat = 1_000_000\nuntil = 'p > 200 kPa'\n" + cycles), "no error") << "may end soon";
+  EXPECT_EQ(errors(strains + "repeat = 1000\neps_1 = 0.1\n"), "no error") << "stands still from the second round on";
+  const std::string fine = "[output]\nevery_strain = 1e-9\n";
+  EXPECT_THAT(errors(strains + "eps_1 = 0.1\n" + fine), HasSubstr("output.every_strain: the path has at least 1e+08"));
+  EXPECT_THAT(errors("test = 'triaxial'\n" + fine), HasSubstr("case.toml:3:16: output.every_strain: the path has at"));
+}
+
 TEST_F(ElementPaths, TheResolvedCaseIsAFixedPoint) {
   const CheckedCase once = checked("test = 'path'\n[[stage]]\neps_1 = 0.1\nsigma_2 = 'hold'\nsigma_3 = 'hold'\n");
   const std::string text = case_text(once.keys, once.values);
@@ -134,7 +196,7 @@ TEST_F(ElementPaths, ThoseOfTheDocumentationAreFitToRun) {
     const std::size_t start = at + std::string("```toml\n").size();
     EXPECT_EQ(errors("test = 'path'\n" + text.substr(start, text.find("```", start) - start)), "no error");
   }
-  EXPECT_EQ(examples, 5);
+  EXPECT_EQ(examples, 7);
 }
 
 TEST(Vary, CrossesItsWishes) {
