@@ -2,6 +2,7 @@
 
 #include "apps/input_lines.hpp"
 #include "apps/path_keys.hpp"
+#include "core/io/case_text.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>
@@ -26,8 +27,10 @@ const std::vector<Order>& orders() {
   return all;
 }
 constexpr std::array<const char*, 5> intergranular{"m_R", "m_T", "R", "beta_R", "chi"}; ///< behind those of the law
-constexpr double least_m_R = 0.5;               ///< m_R above it puts intergranular strain to work
-constexpr std::size_t void_ratio_state = 7 - 1; ///< statev(7); before it, the intergranular strain
+constexpr double least_m_R = 0.5;       ///< m_R above it puts intergranular strain to work
+constexpr int void_ratio_state = 7 - 1; ///< statev(7); before it, the intergranular strain
+constexpr int most_components = 6, most_states = 1000, most_parameters = 1000, most_repeats = 1'000'000,
+              most_legs = 1000;
 
 /// A key of the case, at the place that it was read from.
 void set(CaseFile& given, const InputLines& from, const std::string& key, const std::string& value) {
@@ -49,19 +52,19 @@ void read_parameters(CaseFile& given, const std::filesystem::path& path, const s
   const std::string name = lines.word("the name of the law");
   const Order& order = order_of(lines, model.value_or(name));
   set(given, lines, "material.model", "\"" + std::string(order.law) + "\"");
-  const double count = lines.number("the number of parameters");
-  if (count < static_cast<double>(order.names.size()))
-    lines.refuse(short_text(count) + " parameters are too few: " + order.law + " needs " +
+  const auto count = static_cast<std::size_t>(lines.count("the number of parameters", most_parameters));
+  if (count < order.names.size())
+    lines.refuse(std::to_string(count) + " parameters are too few: " + order.law + " needs " +
                  std::to_string(order.names.size()));
   for (const std::string& parameter : order.names) {
     const double x = lines.number(parameter);
     const bool of_pressure = parameter == "h_s" || parameter == "cohesion_pressure";
     set(given, lines, "material." + parameter, exact_text(of_pressure ? kilo * x : x));
   }
-  if (count <= static_cast<double>(order.names.size())) return;
+  if (count == order.names.size()) return;
   const double m_R = lines.number("m_R");
   if (m_R <= least_m_R) return;
-  if (count < static_cast<double>(order.names.size() + intergranular.size()))
+  if (count < order.names.size() + intergranular.size())
     lines.refuse("m_R = " + exact_text(m_R) + " asks for intergranular strain, which needs " +
                  std::to_string(order.names.size() + intergranular.size()) + " parameters");
   set(given, lines, "material.intergranular_strain", "true");
@@ -73,20 +76,20 @@ void read_parameters(CaseFile& given, const std::filesystem::path& path, const s
 
 void read_initial_conditions(CaseFile& given, const std::filesystem::path& path) {
   InputLines lines(path);
-  const auto components = static_cast<std::size_t>(lines.number("the number of stress components"));
-  std::array<double, 6> stress{};
-  for (std::size_t c = 0; c < components; ++c) {
+  const int components = lines.count("the number of stress components", most_components);
+  std::array<double, most_components> stress{};
+  for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
     const double x = lines.number("a stress component");
     if (c > 3 && x != 0.0) lines.refuse("a shear stress 13 or 23 at the start is not supported; only 0");
-    if (c < stress.size()) stress[c] = kilo * x;
+    stress[c] = kilo * x;
   }
   set(given, lines, "initial.sigma",
       "[" + exact_text(-stress[0]) + "," + exact_text(-stress[1]) + "," + exact_text(-stress[2]) + "]");
   set(given, lines, "initial.tau", exact_text(stress[3]));
-  const auto states = static_cast<std::size_t>(lines.number("the number of state variables"));
-  if (states <= void_ratio_state) lines.refuse("needs 7 state variables or more: the void ratio is statev(7)");
+  if (lines.count("the number of state variables", most_states) <= void_ratio_state)
+    lines.refuse("needs 7 state variables or more: the void ratio is statev(7)");
   std::string strain;
-  for (std::size_t s = 0; s < void_ratio_state; ++s) {
+  for (int s = 0; s < void_ratio_state; ++s) {
     const double x = lines.number("statev(" + std::to_string(s + 1) + ")");
     if (s > 2 && x != 0.0) lines.refuse("a shear of the intergranular strain at the start is not supported; only 0");
     if (s < 3) strain += (strain.empty() ? "[" : ",") + exact_text(0.0 - x);
@@ -195,8 +198,9 @@ void read_test(CaseFile& given, const std::filesystem::path& path) {
   for (std::string line; lines.next(line);) {
     const std::string keyword = keyword_in(lines, line);
     if (keyword == "*End") break;
-    const std::string at = stage_prefix(++stage);
-    set(given, lines, at + "name", "\"" + keyword.substr(keyword.starts_with('*') ? 1 : 0) + "\"");
+    if (++stage > most_legs) lines.refuse("more than " + std::to_string(most_legs) + " stages");
+    const std::string at = stage_prefix(stage);
+    set(given, lines, at + "name", toml_text(keyword.substr(keyword.starts_with('*') ? 1 : 0)));
     set(given, lines, at + "relative", "true");
     set(given, lines, at + "spin", "false");
     if (keyword != "*Repetition") {
@@ -204,9 +208,10 @@ void read_test(CaseFile& given, const std::filesystem::path& path) {
       continue;
     }
     const auto counts = lines.numbers(2, "the number of steps and of repetitions");
-    set(given, lines, at + "repeat", std::to_string(static_cast<std::int64_t>(counts[1])));
-    for (int leg = 1; leg <= static_cast<int>(counts[0]); ++leg)
-      read_step(given, lines, lines.word("a step"), leg_prefix(stage, leg));
+    const int legs = lines.as_count(counts[0], "a number of steps", most_legs);
+    set(given, lines, at + "repeat",
+        std::to_string(lines.as_count(counts[1], "a number of repetitions", most_repeats)));
+    for (int leg = 1; leg <= legs; ++leg) read_step(given, lines, lines.word("a step"), leg_prefix(stage, leg));
   }
 }
 

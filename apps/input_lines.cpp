@@ -1,13 +1,20 @@
 #include "apps/input_lines.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/parameters.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/readable.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 namespace riedel {
+
+namespace {
+constexpr std::size_t longest_shown = 80; ///< in messages [bytes]
+} // namespace
 
 InputLines::InputLines(const std::filesystem::path& path) : path_(path), file_(read_input_file(path)) {}
 
@@ -41,6 +48,12 @@ std::vector<double> InputLines::numbers(std::size_t count, const std::string& wh
   return all;
 }
 
+int InputLines::as_count(double x, const std::string& what, int most) const {
+  if (x != std::trunc(x) || x < 0.0 || x > most)
+    refuse(exact_text(x) + " is not " + what + ": allowed: an integer in [0, " + std::to_string(most) + "]");
+  return static_cast<int>(x);
+}
+
 double InputLines::number_in(std::string text, const std::string& what) const {
   const std::string given = text;
   std::ranges::replace_if(
@@ -48,7 +61,9 @@ double InputLines::number_in(std::string text, const std::string& what) const {
   double x = 0.0;
   const char* start = text.data() + (text.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(start, text.data() + text.size(), x);
-  if (error != std::errc{} || end != text.data() + text.size()) refuse("'" + given + "' is no number; needs " + what);
+  if (error != std::errc{} || end != text.data() + text.size())
+    refuse("'" + readable(given, longest_shown) + "' is no number; needs " + what);
+  if (!std::isfinite(x)) refuse("'" + given + "' is no finite number; needs " + what);
   return x;
 }
 

@@ -23,6 +23,10 @@ public:
   /// The first numbers of the next line, 1.0d0 among them. @param what names them, should they be missing
   std::vector<double> numbers(std::size_t count, const std::string& what);
   double number(const std::string& what) { return numbers(1, what).front(); }
+  /// A number that counts. @throws InputError for what is no integer in [0, most]
+  int count(const std::string& what, int most) { return as_count(number(what), what, most); }
+  /// The same of a number that was read before.
+  [[nodiscard]] int as_count(double x, const std::string& what, int most) const;
 
 private:
   [[nodiscard]] double number_in(std::string text, const std::string& what) const;
