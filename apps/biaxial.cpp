@@ -12,6 +12,7 @@
 #include "apps/threads.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/case_text.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/progress.hpp"
 
 #include <cstdio>
@@ -40,7 +41,7 @@ private:
 };
 
 void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json summary) {
-  write_atomically(folder / "summary.json", summary.dump(2) + "\n");
+  write_atomically(folder / "summary.json", json_text(summary));
 }
 
 void print_result(const nlohmann::ordered_json& summary, const std::filesystem::path& folder,

@@ -1,11 +1,7 @@
 #include "apps/biaxial_keys.hpp"
 
-#include "apps/biaxial_sense.hpp"
-#include "apps/case_kind.hpp"
 #include "apps/catalogue.hpp"
-#include "apps/idle_keys.hpp"
 #include "apps/interpolation_keys.hpp"
-#include "apps/law_uses.hpp"
 #include "apps/step_keys.hpp"
 
 #include <algorithm>
@@ -104,28 +100,6 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   append(keys, output_keys());
   if (catalogue.materials.known(model)) restrict_variable(keys, catalogue.materials.find(model));
   return keys;
-}
-
-CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
-  Keys keys = biaxial_keys(catalogue, model_of(given));
-  const Values first = given.check(keys).values;
-  const auto uses = law_uses(first, catalogue); // none for a law that is wrong, which is told below
-  std::vector<std::string> notes;
-  if (uses) notes = fit_defaults(keys, *uses, given, first);
-  const auto check = [&](const Values& values) {
-    Findings found = check_biaxial(values, catalogue);
-    if (uses) check_uses(*uses, given, values, catalogue, found.errors);
-    check_idle_keys(given, keys, values, found.warnings);
-    check_sense(given, values, catalogue, found);
-    return found;
-  };
-  CheckedCase checked = checked_case(given, keys, check, [&](std::vector<Finding>& errors) {
-    explain_unknown_biaxial_keys(given, catalogue, errors);
-  });
-  try_material(given, checked.values, catalogue);
-  if (uses) leave_out_useless(checked.keys, *uses);
-  checked.notes = std::move(notes);
-  return checked;
 }
 
 } // namespace riedel

@@ -83,8 +83,4 @@ Inventory inventory(const CaseFile& given) {
   return all;
 }
 
-Key plugin_key(const std::string& section, const std::string& what) {
-  return {section + ".plugin", std::string(), "", {}, "shared library that brings " + what + "; empty: none"};
-}
-
 } // namespace riedel

@@ -24,6 +24,8 @@ Inventory inventory(const std::vector<std::string>& named = {});
 Inventory inventory(const CaseFile& given);
 
 /// `plugin`, of a section that names something which a plug-in can bring.
-Key plugin_key(const std::string& section, const std::string& what);
+inline Key plugin_key(const std::string& section, const std::string& what) {
+  return {section + ".plugin", std::string(), "", {}, "shared library that brings " + what + "; empty: none"};
+}
 
 } // namespace riedel

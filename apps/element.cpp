@@ -18,6 +18,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/case_text.hpp"
 #include "core/io/history.hpp"
+#include "core/io/json_text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -71,11 +72,14 @@ std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, co
   const std::vector<Variation> variations =
       wishes == arguments.options.end() ? std::vector<Variation>{} : variations_of(wishes->second);
   std::vector<Run> runs;
+  std::vector<NamedCase> cases;
   for (Variant& variant : variants_of(given_case(arguments, test), variations)) {
     CheckedCase checked = element_case(variant.given, catalogue);
     const std::filesystem::path place = variant.name.empty() ? folder : folder / variant.name;
+    cases.push_back({variant.name, case_text(checked.keys, checked.values)});
     runs.push_back({std::move(variant), std::move(checked), place});
   }
+  refuse_same_cases(cases);
   return runs;
 }
 
@@ -91,7 +95,7 @@ void write_summary(const Run& run, const ElementCurve& curve, double wall) {
   nlohmann::ordered_json all = summary_head(run);
   all.update(element_summary(curve));
   all["wall_s"] = wall;
-  write_atomically(run.folder / "summary.json", all.dump(2) + "\n");
+  write_atomically(run.folder / "summary.json", json_text(all));
 }
 
 std::unique_ptr<Material> law_of(const Values& values, const Catalogue& catalogue) {

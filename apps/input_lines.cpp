@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/parameters.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/readable.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +11,10 @@
 #include <sstream>
 
 namespace riedel {
+
+namespace {
+constexpr std::size_t longest_shown = 80; ///< in messages [bytes]
+} // namespace
 
 InputLines::InputLines(const std::filesystem::path& path) : path_(path), file_(read_input_file(path)) {}
 
@@ -70,7 +75,7 @@ double InputLines::number_in(std::string text, const std::string& what) const {
   const char* start = text.data() + (text.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(start, text.data() + text.size(), x);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x))
-    refuse("'" + given + "' is no number; needs " + what);
+    refuse("'" + readable(given, longest_shown) + "' is no number; needs " + what);
   return x;
 }
 

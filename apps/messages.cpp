@@ -1,5 +1,7 @@
 #include "apps/messages.hpp"
 
+#include "core/io/readable.hpp"
+
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
@@ -23,9 +25,7 @@ void print(std::string_view kind, std::string_view colour, std::string_view text
       std::cerr << "\033[" << colour << "m" << kind << ":\033[0m ";
     else
       std::cerr << kind << ": ";
-    for (char& c : line) // words from files do not steer the terminal
-      if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f) c = '?';
-    std::cerr << line << '\n';
+    std::cerr << readable(line) << '\n'; // what a file or a shell gave may hold signs that steer a terminal
   }
 }
 

@@ -4,6 +4,7 @@
 #include "apps/key_tables.hpp"
 #include "apps/path_keys.hpp"
 #include "core/base/error.hpp"
+#include "core/io/json_text.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ Json stages_schema() {
 } // namespace
 
 std::string biaxial_schema(const Catalogue& catalogue) {
-  return case_schema("A biaxial case of Riedel", biaxial_keys(catalogue, paper_model), catalogue).dump(2) + "\n";
+  return json_text(case_schema("A biaxial case of Riedel", biaxial_keys(catalogue, paper_model), catalogue));
 }
 
 std::string element_schema(const Catalogue& catalogue, const std::string& test) {
@@ -118,7 +119,7 @@ std::string element_schema(const Catalogue& catalogue, const std::string& test) 
   Json schema =
       case_schema("An element test of Riedel: " + test, element_keys(catalogue, test, paper_model), catalogue);
   if (test == "path") schema["properties"]["stage"] = stages_schema();
-  return schema.dump(2) + "\n";
+  return json_text(schema);
 }
 
 } // namespace riedel

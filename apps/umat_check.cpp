@@ -6,6 +6,7 @@
 #include "apps/umat_probe.hpp"
 #include "core/base/error.hpp"
 #include "core/io/attempt.hpp"
+#include "core/io/case_text.hpp"
 #include "materials/umat.hpp"
 
 #include <iostream>
@@ -87,7 +88,7 @@ Line stiffness_line(const UmatProbe& probe) {
 int umat_check(const Arguments& arguments) {
   if (arguments.words.empty()) throw InputError("riedel umat-check needs a library");
   CaseFile given = arguments.case_file(1);
-  given.override_with("material.library=\"" + arguments.words.front() + "\"", "riedel umat-check:");
+  given.override_with("material.library=" + toml_text(arguments.words.front()), "riedel umat-check:");
   const Values values = checked_case(
                             given, umat_check_keys(), [](const Values&) { return Findings{}; },
                             [](std::vector<Finding>& errors) { tell_where_keys_are_listed(errors, "umat-check"); })

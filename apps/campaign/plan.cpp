@@ -39,8 +39,12 @@ void refuse_unknown_keys(const std::vector<Variant>& variants) {
 
 void refuse_shared_names(const std::vector<PlannedRun>& runs) {
   std::set<std::string> names;
-  for (const PlannedRun& run : runs)
+  std::vector<NamedCase> cases;
+  for (const PlannedRun& run : runs) {
     if (!names.insert(run.name).second) throw InputError("two runs would share the folder " + run.name);
+    if (run.refusal.empty()) cases.push_back({run.name, run.case_text});
+  }
+  refuse_same_cases(cases);
 }
 
 PlannedRun planned(const Variant& variant, std::vector<std::string>& warnings) {

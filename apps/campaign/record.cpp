@@ -5,6 +5,7 @@
 #include "apps/file_name.hpp"
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/json_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +110,7 @@ OpenCampaign open_campaign(const fs::path& folder, const Plan& plan, bool force)
   if (is_campaign && !force) open.plan = united(folder, read_campaign(folder), plan);
   if (!is_campaign && !force) open.folder.refuse_results();
   if (force) open.folder.replace();
-  write_atomically(folder / file_name, json_of(open.plan).dump(1) + "\n");
+  write_atomically(folder / file_name, json_text(json_of(open.plan), 1));
   return open;
 }
 

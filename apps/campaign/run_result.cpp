@@ -5,6 +5,7 @@
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,7 @@ std::vector<RunResult> results_of(const Plan& plan, const fs::path& campaign) {
 
 void write_failed_summary(const fs::path& folder, const std::string& reason) {
   const ordered_json summary{{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", reason}};
-  write_atomically(folder / "summary.json", summary.dump(2) + "\n");
+  write_atomically(folder / "summary.json", json_text(summary));
 }
 
 } // namespace riedel

@@ -2,6 +2,7 @@
 
 #include "apps/catalogue.hpp"
 #include "core/base/error.hpp"
+#include "core/io/readable.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ Study study_of(const Arguments& arguments) {
   Study study{.title = "", .given = file.without("compare"), .variations = {}};
   const std::string otherwise =
       arguments.words.empty() ? "Comparison" : std::filesystem::path(arguments.words.front()).stem().string();
-  study.title = file.peek_text("compare.title").value_or(otherwise);
+  study.title = readable(file.peek_text("compare.title").value_or(otherwise));
   if (const Texts schemes = schemes_of(arguments, file); !schemes.empty())
     study.variations.push_back({"scheme", schemes});
   add_wishes(study.variations, file.peek_texts("compare.vary").value_or(Texts{}));

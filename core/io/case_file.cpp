@@ -3,83 +3,18 @@
 #include "core/base/error.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/suggestion.hpp"
-
-#define TOML_IMPLEMENTATION
-#include <toml++/toml.h>
+#include "core/io/toml_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <sstream>
+#include <unordered_map>
 
 namespace riedel {
 
 namespace {
 
-struct Positioned {
-  Given given;
-  toml::source_position position;
-};
-
-std::string text_of(const toml::node& node) {
-  std::ostringstream out;
-  node.visit([&](const auto& value) { out << value; });
-  constexpr std::size_t longest = 80;
-  std::string text = out.str();
-  std::ranges::replace(text, '\n', ' ');
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
-}
-
-Scalar scalar_of(const toml::node& node) {
-  if (const auto* flag = node.as_boolean()) return flag->get();
-  if (const auto* integer = node.as_integer()) return integer->get();
-  if (const auto* real = node.as_floating_point()) return real->get();
-  if (const auto* text = node.as_string()) return text->get();
-  return std::monostate{};
-}
-
-Given given_from(const toml::node& node, const std::string& name) {
-  Given given{.name = name, .place = "", .text = text_of(node), .items = {}};
-  if (const toml::array* list = node.as_array()) {
-    given.kind = Given::Kind::list;
-    for (const toml::node& item : *list) given.items.push_back(scalar_of(item));
-  } else if (node.is_table()) {
-    given.kind = Given::Kind::empty_section;
-  } else {
-    given.items.push_back(scalar_of(node));
-  }
-  return given;
-}
-
-void flatten(const toml::table& table, const std::string& prefix, std::vector<Positioned>& all);
-
-void flatten(const toml::node& node, const std::string& name, std::vector<Positioned>& all) {
-  const toml::table* inner = node.as_table();
-  const toml::array* list = node.as_array();
-  if (inner != nullptr && !inner->empty()) {
-    flatten(*inner, name + ".", all);
-  } else if (list != nullptr && list->is_array_of_tables()) {
-    int number = 0;
-    for (const toml::node& item : *list) flatten(item, name + "." + std::to_string(++number), all);
-  } else {
-    all.push_back({given_from(node, name), node.source().begin});
-  }
-}
-
-/// Every value of the tree with its dotted path; the tables of an array are numbered from one.
-void flatten(const toml::table& table, const std::string& prefix, std::vector<Positioned>& all) {
-  for (const auto& [key, node] : table) flatten(node, prefix + std::string(key.str()), all);
-}
-
-std::optional<toml::table> parsed_table(std::string_view text) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error&) { return std::nullopt; }
-}
-
-std::string position_text(const std::string& path, const toml::source_position& at) {
-  return path + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
-}
+constexpr std::size_t most_errors = 100; ///< told at once
 
 std::string unknown_key_text(const std::string& name, const Keys& keys) {
   std::vector<std::string> names;
@@ -109,44 +44,20 @@ bool is_section(const std::string& name, const Keys& keys) {
 
 } // namespace
 
-CaseFile CaseFile::read(const std::filesystem::path& path) {
-  const std::string text = read_input_file(path);
-  std::vector<Positioned> all;
-  try {
-    flatten(toml::parse(text, path.string()), "", all);
-  } catch (const toml::parse_error& error) {
-    throw InputError(position_text(path.string(), error.source().begin) +
-                     ": not valid TOML: " + std::string(error.description()));
-  }
-  std::ranges::sort(all, {}, [](const Positioned& p) { return std::pair(p.position.line, p.position.column); });
+CaseFile CaseFile::read(const std::filesystem::path& path) { return from_text(read_input_file(path), path.string()); }
+
+CaseFile CaseFile::from_text(std::string_view text, const std::string& called) {
   CaseFile file;
-  for (Positioned& p : all) {
-    p.given.place = position_text(path.string(), p.position) + ": " + p.given.name;
-    file.given_.push_back(std::move(p.given));
-  }
+  file.given_ = read_toml(text, called);
+  for (const Given& given : file.given_) file.names_.insert(given.name);
   return file;
 }
 
 void CaseFile::override_with(std::string_view assignment, const std::string& source) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string_view::npos)
-    throw InputError("--set " + std::string(assignment) + ": expected KEY=VALUE, such as specimen.width=0.05");
-  const std::string key(assignment.substr(0, equals));
-  std::vector<Positioned> all;
-  if (const auto parsed = parsed_table(assignment)) {
-    flatten(*parsed, "", all);
-  } else if (const auto named = parsed_table(key + "=''")) { // a bare word, or a text whose quotes the shell has eaten
-    flatten(*named, "", all);
-    const std::string value(assignment.substr(equals + 1));
-    all.front().given.items = {value};
-    all.front().given.text = "\"" + value + "\"";
-  } else {
-    throw InputError("--set " + std::string(assignment) + ": '" + key + "' is not the name of a key");
-  }
-  for (Positioned& p : all) {
-    p.given.place = source + " " + p.given.name;
-    std::erase_if(given_, [&](const Given& old) { return old.name == p.given.name; });
-    given_.push_back(std::move(p.given));
+  for (Given& given : read_assignment(assignment, source)) {
+    if (!names_.insert(given.name).second)
+      std::erase_if(given_, [&](const Given& old) { return old.name == given.name; });
+    given_.push_back(std::move(given));
   }
 }
 
@@ -189,16 +100,14 @@ CaseFile CaseFile::without(std::string_view section) const {
 }
 
 int CaseFile::count(std::string_view list) const {
-  std::set<int> numbers;
+  std::set<std::string_view> numbers;
   for (const Given& given : given_) {
     if (!given.name.starts_with(std::string(list) + ".")) continue;
-    int number = 0;
     const std::string_view rest = std::string_view(given.name).substr(list.size() + 1);
-    std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    numbers.insert(number);
+    numbers.insert(rest.substr(0, rest.find('.')));
   }
   int last = 0;
-  while (numbers.contains(last + 1)) ++last;
+  while (numbers.contains(std::to_string(last + 1))) ++last;
   return last;
 }
 
@@ -209,11 +118,17 @@ std::string CaseFile::place(std::string_view key) const {
 
 CheckedValues CaseFile::check(const Keys& keys) const {
   CheckedValues checked{.values = Values(keys), .errors = {}};
+  std::unordered_map<std::string_view, const Key*> known;
+  for (const Key& key : keys) known.emplace(key.name, &key);
   for (const Given& given : given_) {
-    const auto key = std::ranges::find(keys, given.name, &Key::name);
+    if (checked.errors.size() == most_errors) {
+      checked.errors.push_back({{given.name}, "and perhaps more; no more are told"});
+      break;
+    }
+    const auto key = known.find(given.name);
     try {
-      if (key != keys.end())
-        checked.values.set(key->name, convert(given, *key));
+      if (key != known.end())
+        checked.values.set(given.name, convert(given, *key->second));
       else if (!is_section(given.name, keys))
         throw InputError(unknown_key_text(given.name, keys));
       else if (given.kind != Given::Kind::empty_section)

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <unordered_set>
 
 namespace riedel {
 
@@ -26,9 +27,11 @@ public:
   static CaseFile empty() { return {}; }
   /// @throws InputError: missing, unreadable, or not TOML (with line and column)
   static CaseFile read(const std::filesystem::path& path);
+  /// A text as a case file. @param called what messages call it   @throws InputError
+  static CaseFile from_text(std::string_view text, const std::string& called);
 
   /// One `--set key.path=value`; the value is TOML, or else a text as it stands. The last setting of a key wins.
-  /// @param source what messages call the place it comes from
+  /// @param source what messages call the place it comes from   @throws InputError for what is no such setting
   void override_with(std::string_view assignment, const std::string& source = "--set");
 
   /// The text given for a key, before validation: a law's name decides which parameters there are.
@@ -60,7 +63,8 @@ public:
 private:
   [[nodiscard]] const Given* find(std::string_view key) const;
 
-  std::vector<Given> given_; ///< in the order of the file, then that of the settings
+  std::vector<Given> given_;              ///< in the order of the file, then that of the settings
+  std::unordered_set<std::string> names_; ///< of all that was ever given
 };
 
 } // namespace riedel

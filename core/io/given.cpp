@@ -43,13 +43,23 @@ double number_from(const Scalar& item, const Key& key) {
     x = read_quantity(*text, key.unit);
   else
     throw InputError("is not a number");
+  if (!std::isfinite(x)) throw InputError("is not a finite number");
   if (!key.bounds.contain(x)) throw InputError("is out of range");
   return x;
 }
 
+/// Why something else stands where an integer is wanted.
+std::string no_integer_text(const Scalar& item) {
+  constexpr double exact = 9007199254740992.0; // up to 2^53 a double holds every integer
+  const auto* real = std::get_if<double>(&item);
+  if (real == nullptr || std::trunc(*real) != *real || std::abs(*real) > exact) return "is not an integer";
+  return "is not an integer, which has no point and no exponent: write " +
+         std::to_string(static_cast<std::int64_t>(*real));
+}
+
 std::int64_t integer_from(const Scalar& item, const Key& key) {
   const auto* integer = std::get_if<std::int64_t>(&item);
-  if (integer == nullptr) throw InputError("is not an integer");
+  if (integer == nullptr) throw InputError(no_integer_text(item));
   if (!key.bounds.contain(static_cast<double>(*integer))) throw InputError("is out of range");
   return *integer;
 }

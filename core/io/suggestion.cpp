@@ -29,6 +29,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 namespace {
 
 constexpr int far = 1000;
+constexpr std::size_t longest_word = 100; ///< what is longer is no word that was mistyped
 
 /// As the user may have meant it: with typing errors, cut short, or with another section in front.
 int distance_meant(std::string_view word, std::string_view known) {
@@ -41,7 +42,9 @@ int distance_meant(std::string_view word, std::string_view known) {
 } // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {
-  const int most = std::max(1, static_cast<int>(last_part(word).size()) / 3);
+  if (word.size() > longest_word) return "";
+  const int size = static_cast<int>(last_part(word).size());
+  const int most = std::min(std::max(1, size / 3), size - 1); // of "6" every other digit would be one letter away
   int best = most + 1;
   std::string answer;
   for (const std::string& candidate : known) {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/readable.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +11,9 @@
 namespace riedel {
 
 namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // as spreadsheets put it in front
+constexpr std::size_t longest_shown = 80;                    ///< in messages [bytes]
 
 struct Cell {
   std::string text;
@@ -30,13 +34,18 @@ std::vector<Cell> cells_of(const std::string& line) {
   return cells;
 }
 
+const char* hint(const std::string& text) {
+  return text.find(';') == std::string::npos ? "" : "; a comma parts two cells, and a point is in a number";
+}
+
 double number_in(const Cell& cell, const std::string& place, const std::string& name) {
   double x = 0.0;
-  const char *begin = cell.text.data(), *end = begin + cell.text.size();
+  const char *begin = cell.text.data() + (cell.text.starts_with('+') ? 1 : 0),
+             *end = cell.text.data() + cell.text.size();
   const auto [stop, error] = std::from_chars(begin, end, x);
   if (cell.text.empty() || error != std::errc{} || stop != end)
-    throw InputError(place + std::to_string(cell.column) + ": '" + cell.text + "' in column " + name +
-                     " is not a number");
+    throw InputError(place + std::to_string(cell.column) + ": '" + readable(cell.text, longest_shown) + "' in column " +
+                     readable(name, longest_shown) + " is not a number" + hint(cell.text));
   return x;
 }
 
@@ -52,7 +61,8 @@ void take_header(Table& table, const std::vector<Cell>& cells, const std::string
   for (const Cell& cell : cells) {
     if (cell.text.empty() || table.has(cell.text))
       throw InputError(place + std::to_string(cell.column) + ": the header " +
-                       (cell.text.empty() ? "has a column without a name" : "names '" + cell.text + "' twice"));
+                       (cell.text.empty() ? "has a column without a name"
+                                          : "names '" + readable(cell.text, longest_shown) + "' twice"));
     table.names.push_back(cell.text);
     table.columns[cell.text];
   }
@@ -65,6 +75,7 @@ Table read_table(const std::filesystem::path& path) {
   Table table;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (line.find_first_not_of(" \t\r") == std::string::npos || line.starts_with('#')) continue;
     const std::string place = path.string() + ":" + std::to_string(number) + ":";
     if (table.names.empty())

@@ -1,6 +1,8 @@
 #include "core/io/units.hpp"
 
 #include "core/base/error.hpp"
+#include "core/io/readable.hpp"
+#include "core/io/toml_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +36,7 @@ struct Base {
   bool takes_prefix;
 };
 
+constexpr std::size_t longest_shown = 40; ///< in messages [bytes]
 constexpr double degree = std::numbers::pi / 180.0;
 const std::array<Base, 17> bases{{
     {"m", {{1, 0, 0, 0}}, true},
@@ -88,8 +91,20 @@ bool multiply_factor(Unit& unit, std::string_view text, int sign) {
 }
 
 std::string in_ascii(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{
-      {{"²", "2"}, {"³", "3"}, {"µ", "u"}, {"μ", "u"}, {"°", "deg"}, {"·", "*"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> signs{
+      {{"²", "2"},
+       {"³", "3"},
+       {"¹", "1"},
+       {"⁻", "-"},
+       {"−", "-"}, // the sign of minus
+       {"µ", "u"},
+       {"μ", "u"},
+       {"°", "deg"},
+       {"·", "*"},
+       {"⋅", "*"},
+       {"\u00a0", " "}, // spaces that do not break
+       {"\u202f", " "},
+       {"\u2009", " "}}};
   std::string answer(text);
   for (const auto& [sign, plain] : signs)
     for (std::size_t at = answer.find(sign); at != std::string::npos; at = answer.find(sign, at))
@@ -97,46 +112,41 @@ std::string in_ascii(std::string_view text) {
   return answer;
 }
 
-std::optional<Unit> parse_unit(std::string_view given) {
-  const std::string text = in_ascii(given);
+std::optional<Unit> parse_unit(std::string_view text) {
   Unit unit;
   int sign = 1;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find_first_of("/* ", begin), text.size());
-    if (end == begin || !multiply_factor(unit, std::string_view(text).substr(begin, end - begin), sign))
-      return std::nullopt;
+    if (end == begin || !multiply_factor(unit, text.substr(begin, end - begin), sign)) return std::nullopt;
     sign = end < text.size() && text[end] == '/' ? -1 : 1;
     begin = end + 1;
   }
   return unit;
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t";
-  const std::size_t begin = text.find_first_not_of(blank);
-  return begin == std::string_view::npos ? std::string_view{}
-                                         : text.substr(begin, text.find_last_not_of(blank) - begin + 1);
-}
+[[noreturn]] void refuse_size() { throw InputError("is too large or too small for a number"); }
 
 /// The number `digits` × 10^tens, rounded once.
 double scaled(std::string_view digits, int tens) {
+  constexpr int most = 10000; // far beyond what a double holds
   const std::size_t split = digits.find_first_of("eE");
   int exponent = 0;
   if (split != std::string_view::npos) {
     const std::size_t start = split + (digits[split + 1] == '+' ? 2 : 1);
-    std::from_chars(digits.data() + start, digits.data() + digits.size(), exponent);
+    const auto [end, error] = std::from_chars(digits.data() + start, digits.data() + digits.size(), exponent);
+    if (error != std::errc{} || std::abs(exponent) > most) refuse_size();
   }
   const std::string text = std::string(digits.substr(0, split)) + "e" + std::to_string(exponent + tens);
   double value = 0.0;
-  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{})
-    throw InputError("is too large or too small for a number");
+  if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc{}) refuse_size();
   return value;
 }
 
 } // namespace
 
 double read_quantity(std::string_view given, std::string_view unit) {
-  std::string_view text = trimmed(given);
+  const std::string plain = in_ascii(given);
+  std::string_view text = trimmed(plain);
   if (text.starts_with('+')) text.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -144,11 +154,14 @@ double read_quantity(std::string_view given, std::string_view unit) {
   const std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.data()));
   const std::string_view symbol = trimmed(text.substr(digits.size()));
   if (symbol.empty()) throw InputError("is a text without a unit; write the number without quotes");
+  if (symbol.starts_with(',')) throw InputError("has a comma in its number; write a point");
   const std::optional<Unit> from = parse_unit(symbol), to = parse_unit(unit);
-  if (!from) throw InputError("has an unknown unit '" + std::string(symbol) + "'");
+  if (!from) throw InputError("has an unknown unit '" + readable(symbol, longest_shown) + "'");
   if (!to || from->dimension != to->dimension) throw InputError("has a unit of another kind");
   const double value = scaled(digits, from->tens - to->tens);
-  return from->factor == to->factor ? value : value * (from->factor / to->factor);
+  const double answer = from->factor == to->factor ? value : value * (from->factor / to->factor);
+  if (!std::isfinite(answer)) refuse_size();
+  return answer;
 }
 
 std::string unit_examples(std::string_view unit) {

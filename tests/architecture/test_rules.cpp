@@ -79,7 +79,7 @@ TEST(RuleOnLibraries, AllowsEachLibraryInItsFiles) {
   };
   EXPECT_THAT(offences("nonlocal/cgal_kd_tree.cpp", "CGAL/Kd_tree.h"), IsEmpty());
   EXPECT_THAT(offences("core/io/picture.cpp", "vtkImageData.h"), IsEmpty());
-  EXPECT_THAT(offences("core/io/case_file.cpp", "toml++/toml.h"), IsEmpty());
+  EXPECT_THAT(offences("core/io/toml_reader.cpp", "toml++/toml.h"), IsEmpty());
   EXPECT_THAT(offences("core/io/plugin_loader.cpp", "boost/dll.hpp"), IsEmpty());
   EXPECT_THAT(offences("tests/core/test_vtk.cpp", "vtkPoints.h"), IsEmpty());
 }

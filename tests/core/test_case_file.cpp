@@ -1,46 +1,11 @@
-#include "core/base/error.hpp"
-#include "core/io/case_file.hpp"
-#include "temporary_folder.hpp"
+#include "core/case_files.hpp"
 
-#include <gmock/gmock.h>
+namespace riedel::test {
+namespace {
 
-using namespace riedel;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-namespace {
-
-Keys keys() {
-  return {{"scheme", "gimp", "", {}, "scheme", {"linear", "gimp", "cpdi"}},
-          {"specimen.width", 0.04, "m", more_than(0.0), "width"},
-          {"specimen.height", 0.14, "m", more_than(0.0), "height"},
-          {"specimen.void_ratio", 0.55, "-", more_than(0.0), "void ratio"},
-          {"grid.cells", std::vector<std::int64_t>{24, 84}, "-", at_least(1.0), "cells"},
-          {"imperfection.size", std::vector<double>{5e-3, 5e-3}, "m", at_least(0.0), "size"},
-          {"material.phi_c", 30.0, "deg", within(0.0, 90.0), "critical angle"},
-          {"nonlocal.length", 1.5e-3, "m", at_least(0.0), "length"},
-          {"time.step", "auto", "s", more_than(0.0), "step", {"auto"}},
-          {"output.vtk", true, "", {}, "write"}};
-}
-
-class CaseFiles : public testing::Test {
-protected:
-  [[nodiscard]] std::string path() const { return (folder_ / "case.toml").string(); }
-  [[nodiscard]] CaseFile file(std::string_view text) const { return CaseFile::read(folder_.file("case.toml", text)); }
-  static std::string errors(const CaseFile& given) {
-    try {
-      (void)given.validate(keys());
-    } catch (const InputError& error) { return error.what(); }
-    return "no error";
-  }
-  [[nodiscard]] std::string errors(std::string_view text) const { return errors(file(text)); }
-
-private:
-  TemporaryFolder folder_;
-};
-
-} // namespace
 
 TEST_F(CaseFiles, AnEmptyCaseKeepsEveryDefault) {
   EXPECT_EQ(CaseFile::empty().validate(keys()).all(), Values(keys()).all());
@@ -92,7 +57,7 @@ TEST_F(CaseFiles, NamesWhatIsAllowedWhenTheTypeIsWrong) {
   EXPECT_THAT(errors("specimen.width = {}"), HasSubstr("is a section, not a value"));
   EXPECT_THAT(errors("scheme = 3"), HasSubstr("3 is not a text; allowed: linear, gimp, cpdi"));
   EXPECT_THAT(errors("output.vtk = 1"), HasSubstr("1 is not true or false"));
-  EXPECT_THAT(errors("grid.cells = [24.0, 84]"),
+  EXPECT_THAT(errors("grid.cells = [true, 84]"),
               HasSubstr("is not an integer; allowed: a list of 2, each an integer ≥ 1"));
   EXPECT_THAT(errors("grid.cells = 24"), HasSubstr("24 is not a list"));
   EXPECT_THAT(errors("grid.cells = [24]"), HasSubstr("has 1 entries instead of 2"));
@@ -107,13 +72,11 @@ TEST_F(CaseFiles, RefusesNumbersOutOfRange) {
   EXPECT_THAT(errors("nonlocal.length = '-1 mm'"), HasSubstr("out of range; allowed: a number ≥ 0 in m"));
   EXPECT_THAT(errors("grid.cells = [0, 84]"), HasSubstr("out of range"));
   EXPECT_THAT(errors("material.phi_c = 90"), HasSubstr("out of range; allowed: a number in (0, 90) deg"));
-  EXPECT_THAT(errors("specimen.width = nan"), HasSubstr("out of range"));
-  EXPECT_THAT(errors("specimen.width = inf"), HasSubstr("out of range"));
 }
 
 TEST_F(CaseFiles, AnUnknownChoiceListsTheKnownOnes) {
   EXPECT_THAT(errors("scheme = 'cpid'"),
-              HasSubstr("'cpid' is not known (did you mean 'cpdi'?); allowed: linear, gimp, cpdi"));
+              HasSubstr("\"cpid\" is not known (did you mean 'cpdi'?); allowed: linear, gimp, cpdi"));
 }
 
 TEST_F(CaseFiles, TellsAllErrorsAtOnceInTheOrderOfTheFile) {
@@ -126,32 +89,6 @@ TEST_F(CaseFiles, TellsAllErrorsAtOnceInTheOrderOfTheFile) {
 TEST_F(CaseFiles, TellsLineAndColumnOfASyntaxError) {
   EXPECT_THAT([&] { (void)file("[specimen]\nwidth = = 3\n"); },
               testing::ThrowsMessage<InputError>(StartsWith(path() + ":2:9: not valid TOML: ")));
-}
-
-TEST_F(CaseFiles, SettingsReplaceWhatTheFileSays) {
-  CaseFile given = file("scheme = 'linear'\n[specimen]\nwidth = 1.0");
-  for (const char* setting : {"scheme=cpdi", "specimen.width=0.05 m", "grid.cells=[12, 42]", "specimen.width=60 mm"})
-    given.override_with(setting);
-  const Values v = given.validate(keys());
-  EXPECT_EQ(v.text("scheme"), "cpdi");          // a bare word
-  EXPECT_EQ(v.number("specimen.width"), 60e-3); // the last one wins
-  EXPECT_EQ(v.integers("grid.cells").front(), 12);
-}
-
-TEST_F(CaseFiles, AnErrorInASettingNamesTheSetting) {
-  CaseFile given = CaseFile::empty();
-  given.override_with("specimen.width=-1");
-  given.override_with("specimen.widht=1");
-  EXPECT_THAT(errors(given), AllOf(StartsWith("--set specimen.width: -1 is out of range"),
-                                   HasSubstr("\n--set specimen.widht: unknown key")));
-}
-
-TEST_F(CaseFiles, RefusesASettingThatIsNone) {
-  CaseFile given = CaseFile::empty();
-  EXPECT_THAT([&] { given.override_with("specimen.width"); },
-              testing::ThrowsMessage<InputError>(HasSubstr("KEY=VALUE")));
-  for (const char* setting : {"=3", "a b=3", "[x]=3", "a..b=3"})
-    EXPECT_THAT([&] { given.override_with(setting); }, testing::ThrowsMessage<InputError>(HasSubstr("name of a key")));
 }
 
 TEST_F(CaseFiles, LooksUpATextBeforeValidation) {
@@ -184,3 +121,6 @@ TEST_F(CaseFiles, NumbersTheTablesOfAnArray) {
   EXPECT_EQ(v.number("stage.2.speed"), 2);
   EXPECT_EQ(v.number("stage.2.leg.1.speed"), 3);
 }
+
+} // namespace
+} // namespace riedel::test

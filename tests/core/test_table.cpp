@@ -47,6 +47,13 @@ TEST_F(Tables, TellsOfRowsThatDoNotFitTheHeader) {
   EXPECT_THAT(error(""), HasSubstr("is empty"));
 }
 
+TEST_F(Tables, TakesWhatASpreadsheetWrites) {
+  const Table table = read("\xEF\xBB\xBF\"time_s\",u\r\n+1.5,2\r\n");
+  EXPECT_THAT(table["time_s"], ElementsAre(1.5));
+  EXPECT_THAT(error("a;b\n1,5;2\n"), HasSubstr("the row has 2 cells"));
+  EXPECT_THAT(error("a;b\n1;2\n"), HasSubstr("'1;2' in column a;b is not a number; a comma parts two cells"));
+}
+
 TEST_F(Tables, TellsOfAFileThatIsNotThere) {
   for (const auto& path : {folder_ / "missing.csv", folder_.path()}) EXPECT_THROW((void)read_table(path), InputError);
 }

@@ -52,3 +52,24 @@ TEST(Units, RefuseWhatIsNoQuantity) {
     EXPECT_THAT([&] { read_quantity(text, "m"); }, ThrowsMessage<InputError>("is not a number with a unit")) << text;
   EXPECT_THROW(read_quantity("1e308 km", "m"), InputError);
 }
+
+TEST(Units, MayBePastedFromAPage) {
+  EXPECT_EQ(read_quantity("1.5\u00a0mm", "m"), 1.5e-3); // a space that does not break
+  EXPECT_EQ(read_quantity("3\u202fµm", "m"), 3e-6);
+  EXPECT_EQ(read_quantity("\u22121 kN\u2009m⁻²", "Pa"), -1e3);
+  EXPECT_EQ(read_quantity("1e-3 km", "m"), 1.0);
+  EXPECT_EQ(read_quantity("1.5mm", "m"), 1.5e-3);
+}
+
+TEST(Units, RefuseACommaInANumber) {
+  EXPECT_THAT([] { read_quantity("1,5 mm", "m"); }, testing::ThrowsMessage<InputError>(testing::HasSubstr("comma")));
+}
+
+TEST(Units, RefuseANumberThatNoDoubleHolds) {
+  for (const char* text : {"1e99999999999 m", "1e2147483647 km", "1e-2147483648 nm", "1e400 m", "1e-400 m", "1e308 km"})
+    EXPECT_THAT([&] { read_quantity(text, "m"); },
+                testing::ThrowsMessage<InputError>("is too large or too small for a number"))
+        << text;
+  EXPECT_THROW(read_quantity("1e308 h", "s"), InputError);
+  EXPECT_EQ(read_quantity("1e-310 km", "m"), 1e-307);
+}
