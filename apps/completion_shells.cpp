@@ -23,6 +23,7 @@ _riedel_behind() {
 # A key, or a value of one, of the command $1, its first word $2, the law $3 and the word begun $4.
 _riedel_setting() {
   case $4 in
+    *=*,*) _riedel_behind "${4%,*}," "values ${4%%=*}" ;;
     *=*) _riedel_behind "${4%%=*}=" "values ${4%%=*}" ;;
     *)
       case $1 in
