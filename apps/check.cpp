@@ -7,6 +7,7 @@
 #include "apps/memory_needed.hpp"
 #include "apps/memory_there.hpp"
 #include "apps/messages.hpp"
+#include "apps/outlook.hpp"
 #include "core/io/case_text.hpp"
 
 #include <iostream>
@@ -15,20 +16,21 @@ namespace riedel {
 
 namespace {
 
-/// A comment in the case; a warning where a run would be refused.
-void tell_memory(const Values& values, const Catalogue& catalogue) {
-  const MemoryNeeded need = memory_needed(values, catalogue);
-  std::cout << "# memory: about " << bytes_text(need.all()) << "\n";
+/// Of what a run would be refused for, or warn of, when it begins.
+void warn_of_run(const CaseFile& given, const Values& values, const Catalogue& catalogue) {
+  for (const Finding& doubt : time_step_doubts(values, expected_work_of(values, catalogue)))
+    print_warning(given.lines({doubt}));
+  const double need = memory_needed(values, catalogue).of_case();
   const MemoryThere there = memory_there();
-  if (need.of_case() > there.bytes)
-    print_warning("a run needs about " + bytes_text(need.of_case()) + " of memory, and here " + there.by + " " +
+  if (need > there.bytes)
+    print_warning("a run needs about " + bytes_text(need) + " of memory, and here " + there.by + " " +
                   bytes_text(there.bytes));
 }
 
 } // namespace
 
-/// `riedel check`: all errors at once, or the case with every key in force. What it prints is a case itself. A case
-/// that names a test is one of `riedel element`.
+/// `riedel check`: all errors at once, or the case with every key in force and, as comments, what a run of it will
+/// take. What it prints is a case itself. A case that names a test is one of `riedel element`.
 int check(const Arguments& arguments) {
   const CaseFile given = arguments.case_file().without("compare"); // of a study, the case that it varies
   const Catalogue catalogue = inventory(given).catalogue;
@@ -44,14 +46,10 @@ int check(const Arguments& arguments) {
   const CheckedCase checked = test ? element_case(given, catalogue) : biaxial_case(given, catalogue);
   for (const std::string& note : checked.notes) print_note(note);
   for (const std::string& warning : checked.warnings) print_warning(warning);
-  std::cout << "# ok\n";
-  if (!test) {
-    const ExpectedWork expected = expected_work_of(checked.values, catalogue);
-    for (const Finding& doubt : time_step_doubts(checked.values, expected)) print_warning(given.lines({doubt}));
-    std::cout << "# expected: " << expected_text(expected) << "\n";
-    tell_memory(checked.values, catalogue);
-  }
-  std::cout << case_text(checked.keys, checked.values);
+  if (!test) warn_of_run(given, checked.values, catalogue);
+  std::cout << "# ok\n"
+            << case_text(checked.keys, checked.values)
+            << (test ? element_outlook : biaxial_outlook)(checked.values, catalogue, arguments.threads());
   return 0;
 }
 

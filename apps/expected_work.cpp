@@ -23,13 +23,12 @@ double neighbours(const Values& v, double points) {
   return std::min(std::numbers::pi * reach * reach / area, points);
 }
 
-/// Until the platen, which rises to its speed smoothly, has come so far.
+} // namespace
+
 double time_to(double distance, double speed, double ramp) {
   const double in_ramp = 0.5 * speed * ramp; // half of the speed on average
   return distance >= in_ramp ? ramp + (distance - in_ramp) / speed : ramp * std::pow(distance / in_ramp, 1.0 / 3.0);
 }
-
-} // namespace
 
 double expected_points(const Values& v) {
   const auto& cells = v.integers("grid.cells");

@@ -16,6 +16,9 @@ struct ExpectedWork {
   [[nodiscard]] double seconds() const; ///< on one thread of a usual machine
 };
 
+/// Until a plate, which rises to its speed [m/s] smoothly over `ramp` [s], has come so far [m]. @return [s]
+double time_to(double distance, double speed, double ramp);
+
 /// Number of points of a biaxial case.
 double expected_points(const Values& values);
 

@@ -6,6 +6,7 @@
 #include "verification/biaxial.hpp"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 namespace riedel::test {
 namespace {
@@ -84,12 +85,32 @@ TEST(Sense, WarnsOfARunThatTakesMoreThanADay) {
 TEST(Sense, CheckTellsWhatARunIsExpectedToTake) {
   const TemporaryFolder folder;
   const Outcome check = run(folder, {"check"});
-  EXPECT_THAT(check.out, ContainsRegex("^# ok\n# expected: 2016 points, [0-9]+ steps of [0-9.e-]+ s, about [0-9.]+ "
-                                       "(s|min) on one thread\n"));
+  EXPECT_THAT(check.out, ContainsRegex("\n# What will run\n# expected: 2016 points, [0-9]+ steps of [0-9.e-]+ s, about "
+                                       "[0-9.]+ (s|min) on one thread\n# cells: 2016 .24 x 84. of 1.67 mm x 1.67 mm\n"
+                                       "# memory: about [0-9.]+ MB\n# threads: [0-9]+.*\n$"));
   EXPECT_EQ(check.err, "");
   EXPECT_THAT(
       run(folder, {"check", "--set", "time.step=5e-5", "--set", "grid.cells=[8,28]", "--set", "nonlocal.length=0"}).err,
       HasSubstr("warning: --set time.step: 5e-05 s is over the stable limit, 2.5"));
+}
+
+TEST(Sense, CheckTellsWhatAnElementTestIsExpectedToTake) {
+  const TemporaryFolder folder;
+  Words mpm, check{"check"}, element{"element", "biaxial", "--out", (folder / "out").string()};
+  for (const char* setting :
+       {"test=biaxial", "driver.kind=mpm", "grid.cells=2", "loading.final_strain=0.002", "output.plots=false"})
+    mpm.insert(mpm.end(), {"--set", setting});
+  check.insert(check.end(), mpm.begin(), mpm.end());
+  element.insert(element.end(), mpm.begin(), mpm.end());
+  const std::string told = run(folder, check).out, head = "# What will run\n# expected: 16 points, ";
+  ASSERT_NE(told.find(head), std::string::npos) << told;
+  EXPECT_THAT(told, ContainsRegex("# cells: 4 .2 x 2. of 5 mm\n# threads: [0-9]+"));
+  ASSERT_EQ(run(folder, element).code, 0);
+  const auto summary = nlohmann::json::parse(file_content(folder / "out/summary.json"));
+  const double expected = std::stod(told.substr(told.find(head) + head.size())), made = summary["steps"];
+  EXPECT_GT(expected, 0.7 * made);
+  EXPECT_LT(expected, 2.0 * made);
+  EXPECT_THAT(run(folder, {"check", "--set", "test=shear"}).out, HasSubstr("\n# expected: one point, without a grid"));
 }
 
 /// The sand stiffens while it is loaded, so that the steps lie between those of the start and those under load.
