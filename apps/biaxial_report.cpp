@@ -39,9 +39,8 @@ std::string strength_lines(const ordered_json& s) {
 }
 
 std::string band_line(const ordered_json& band) {
-  if (!band.is_object()) return "shear band -\n";
   const std::string kind = text_in(band, "kind", "-");
-  if (kind == "none") return "shear band none\n";
+  if (kind == "none" || kind == "-") return "shear band " + kind + "\n";
   const bool by_shear = text_in(band, "measured_by", "") == "shear_strain";
   return "shear band " + kind + ", inclined " + figure(band, "inclination_deg", 1.0, 1, " deg") + ", thickness " +
          figure(band, "thickness_fwhm_m", 1e3, 2, " mm") + " (half maximum" +
@@ -66,7 +65,12 @@ ordered_json biaxial_summary(const BiaxialRun<Dim>& run, const Values& values, c
   all["quasi_static"] = nullptr;
   if (ending.step_over_limit > 1.0 || !std::isnan(kinetic))
     all["quasi_static"] = ending.step_over_limit <= 1.0 && kinetic <= quasi_static_limit;
-  all["band"] = ending.status == "failed" ? ordered_json() : band_json(measure_band(run.section(), values));
+  if (ending.status == "failed") {
+    all["band"] = band_json(ShearBand{});
+    for (auto& figure : all["band"]) figure = nullptr;
+  } else {
+    all["band"] = band_json(measure_band(run.section(), values));
+  }
   return all;
 }
 
