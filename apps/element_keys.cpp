@@ -136,6 +136,17 @@ void check_intergranular_strain(const Values& v, std::vector<Finding>& errors) {
                           ", is out of range; allowed: at most R = " + rounded(v.number("material.R"))});
 }
 
+/// A specimen of more points would fill the memory before its first step.
+void check_points(const Values& v, std::vector<Finding>& errors) {
+  constexpr double most = 1e7;
+  const double edge = static_cast<double>(v.integer("grid.cells") * v.integer("specimen.points_per_cell"));
+  const double points = std::pow(edge, dimensions_of_element(v));
+  if (points > most)
+    errors.push_back({{"grid.cells", "specimen.points_per_cell"},
+                      exact_text(static_cast<double>(v.integer("grid.cells"))) + " along each edge make " +
+                          rounded(points) + " points; allowed: at most " + rounded(most)});
+}
+
 /// What the mpm driver cannot do.
 void check_specimen(const Values& v, std::vector<Finding>& errors) {
   const std::string& test = v.text("test");
@@ -146,6 +157,7 @@ void check_specimen(const Values& v, std::vector<Finding>& errors) {
          "tests oedometer, triaxial, shear, biaxial"});
     return;
   }
+  check_points(v, errors);
   if (v.is_text("grid.dimensions")) return;
   const double dimensions = v.number("grid.dimensions");
   if (dimensions != 2.0 && dimensions != 3.0)

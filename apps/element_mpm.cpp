@@ -25,12 +25,24 @@ void watch_energies(ElementEnergies& energies, const Simulation<Dim>& simulation
     energies.kinetic_over_internal = std::fmax(energies.kinetic_over_internal, now.kinetic / std::abs(now.internal));
 }
 
+/// @throws InputError where nobody could wait for the end
+void refuse_endless(const Values& v, double time_step) {
+  constexpr double most_steps = 1e9;
+  const double time = v.number("loading.ramp_time") +
+                      v.number("loading.final_strain") * v.number("specimen.size") / v.number("loading.speed");
+  if (time / time_step > most_steps)
+    throw InputError("loading.speed: " + exact_text(v.number("loading.speed")) + " m/s makes about " +
+                     short_text(time / time_step) + " steps of " + short_text(time_step) + " s; allowed: at most " +
+                     short_text(most_steps));
+}
+
 template <int Dim>
 ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch& watch) {
   constexpr int steps_between_checks = 10; // the sums over the points cost as much as a step does
   const ElementPath path = element_path(v);
   const PathStage& stage = path.stages.front();
   Simulation<Dim> simulation = make_element<Dim>(v, catalogue, path.stress);
+  refuse_endless(v, simulation.time_step());
   ThreadChoice threads(watch.threads);
   const Material& law = *simulation.state().bodies.front().material;
   ElementCurve curve{.test = v.text("test"), .energies = ElementEnergies{}};

@@ -1,10 +1,12 @@
 #include "apps/weak_zone.hpp"
 
+#include "core/step/stress_update.hpp"
+
 namespace riedel {
 
 namespace {
 
-constexpr std::size_t most_columns = 64;
+constexpr std::size_t most_columns = most_state_columns - 1; ///< of the law itself
 
 /// Some consecutive points of a batch, without the column that tells the zone.
 class Part {
@@ -16,6 +18,7 @@ public:
       if (batch.rate[c] != nullptr) batch.rate[c] += begin;
     }
     if (batch.averaged != nullptr) batch.averaged += begin;
+    if (batch.id != nullptr) batch.id += begin;
     const std::size_t own = whole.state.size() - 1;
     for (std::size_t s = 0; s < own; ++s) columns_[s] = whole.state[s] + begin;
     batch.state = {columns_.data(), own};
@@ -24,6 +27,8 @@ public:
     for (std::size_t i = 0; i < 9; ++i) {
       motion_.velocity_gradient[i] += begin;
       motion_.deformation_gradient[i] += begin;
+      motion_.gradient_before[i] += begin;
+      motion_.rotation[i] += begin;
     }
     batch.motion = &motion_;
   }

@@ -114,6 +114,10 @@ TEST_F(ReadResults, ThePageHasTheColumnsAndKeysOfElementTests) {
   Names columns = run_element("triaxial", "element.csv"), keys = run_element("triaxial", "summary.json", {"--force"});
   columns.merge(run_element("shear", "element.csv"));
   keys.merge(run_element("biaxial", "summary.json", {"--driver", "mpm"}));
+  const std::string water = folder_.file("water.toml", "[specimen]\nwater_bulk_modulus = 2.2e9\n[[stage]]\n"
+                                                       "eps_1 = 1e-4\nsigma_2 = 'hold'\nsigma_3 = 'hold'\n");
+  columns.merge(run_element("path", "element.csv", {water}));
+  keys.merge(run_element("path", "summary.json", {water, "--force"}));
   EXPECT_EQ(documented("element.csv"), columns);
   EXPECT_EQ(documented("summary.json of riedel element"), keys);
 }
