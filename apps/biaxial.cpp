@@ -94,9 +94,12 @@ struct Order {
   ThreadRange threads;
 };
 
+/// How far a run has come: not begun, begun, or told to its end in the summary, which nothing replaces from then on.
+enum class Stage { before, begun, told };
+
 /// Runs the case and leaves everything in the folder, once it is known to begin. @return the exit code
 template <int Dim>
-int run_case(const Order& order, OutputFolder& output, bool& begun) {
+int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
   const Values& values = order.given.values;
@@ -104,7 +107,7 @@ int run_case(const Order& order, OutputFolder& output, bool& begun) {
   ThreadChoice threads(order.threads);
   BiaxialRun<Dim> run(values, order.catalogue, output.path());
   output.replace();
-  begun = true;
+  stage = Stage::begun;
   write_atomically(output.path() / "case.toml", case_text(order.given.keys, values));
   run.begin();
   TimeStepWatch watch;
@@ -118,12 +121,14 @@ int run_case(const Order& order, OutputFolder& output, bool& begun) {
     try_to_write("the summary", [&] {
       const nlohmann::ordered_json result = biaxial_summary(run, values, ending("failed", reason_of(failure)));
       write_summary(output.path(), result);
+      stage = Stage::told;
       print_result(result, output.path(), {});
     });
     throw;
   }
   const nlohmann::ordered_json result = biaxial_summary(run, values, ending(interrupt ? "interrupted" : "done"));
   write_summary(output.path(), result);
+  stage = Stage::told;
   std::vector<std::string> pictures;
   if (values.flag("output.plots"))
     try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
@@ -134,14 +139,15 @@ int run_case(const Order& order, OutputFolder& output, bool& begun) {
 
 /// What ends a run, of whatever kind, is told in the summary, unless that would cover up the results of another run.
 int run_to_some_end(const Order& order, OutputFolder& output) {
-  bool begun = false;
+  Stage stage = Stage::before;
   try {
     const bool slab = dimensions_of_biaxial(order.given.values) == 3;
-    return (slab ? run_case<3> : run_case<2>)(order, output, begun);
+    return (slab ? run_case<3> : run_case<2>)(order, output, stage);
   } catch (const std::exception& error) {
     const bool wrong_input =
         dynamic_cast<const InputError*>(&error) != nullptr || dynamic_cast<const PluginError*>(&error) != nullptr;
-    if (begun || (output.is_fresh() && !wrong_input)) write_failure(output.path(), reason_of(error));
+    const bool unseen = stage == Stage::before && !wrong_input && output.is_fresh();
+    if (stage == Stage::begun || unseen) write_failure(output.path(), reason_of(error));
     rethrow_as_failure();
   }
 }

@@ -57,7 +57,7 @@ double bytes_of_stencils(const Values& v, const ShapeFunction<Dim>& scheme, doub
 
 template <int Dim>
 double bytes_of_neighbours(const Values& v, const std::array<double, 3>& counts, const Vec<Dim>& spacing) {
-  constexpr double bytes_of_pair = 20.0, reach = 3.1; // weights of before, and rows twice, in a search
+  constexpr double bytes_of_pair = 10.0, reach = 3.1; // 8 at first; 12 in a later search, beside the old weights
   const double length = v.number("nonlocal.length");
   if (length == 0.0) return 0.0;
   if (v.text("nonlocal.averager") == "gauss_grid") return 0.0;

@@ -95,7 +95,7 @@ void remove_campaign(const fs::path& folder, const std::string& command) {
   const Plan before = read_campaign(folder);
   for (const PlannedRun& run : before.runs) require_idle(folder / run.name, command);
   for (const PlannedRun& run : before.runs) remove_run(folder / run.name, command);
-  static const std::regex numbered("void_ratio_[0-9]+[.]png|figure_[0-9]+[ab]?[.]png");
+  static const std::regex numbered("void_ratio_[0-9]+[.]png|figure_[0-9]+[a-z]?(_[0-9]+)?[.]png");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (std::regex_match(entry.path().filename().string(), numbered)) remove_file(entry.path());
   for (const char* own : own_files) remove_file(folder / own);

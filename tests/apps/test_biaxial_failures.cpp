@@ -55,6 +55,7 @@ TEST_F(BiaxialFailure, ATimeStepOverTheStableLimitWarnsAndStopsWithPointStepAndT
   EXPECT_THAT(outcome.err,
               ContainsRegex("\nriedel: error: .* point [0-9]+ at [(].*; step [0-9]+, time [0-9.e-]+ s\n$"));
   EXPECT_EQ(summary()["status"], "failed");
+  EXPECT_TRUE(summary().contains("phi_peak_deg")) << "what it came to is not lost";
   EXPECT_THAT(outcome.err, HasSubstr("riedel: error: " + summary()["reason"].get<std::string>() + "\n"));
   const auto frames = read_series(out_ / "points.pvd");
   EXPECT_GT(frames.size(), 3U);
