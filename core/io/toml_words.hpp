@@ -19,7 +19,7 @@ std::string without_quoted(std::string_view text);
 /// The same of a file: comments are as blank as texts, but for their #. Lines end where they did.
 std::string without_texts(std::string_view text);
 
-/// For a line that is no TOML: "; a text stands in quotes: \"sand\"", or whatever it seems to lack. Empty when nothing
+/// For a line that is no TOML: "; a text stands in quotes: \"word\"", or whatever it seems to lack. Empty when nothing
 /// comes to mind.
 std::string toml_hint(std::string_view line);
 

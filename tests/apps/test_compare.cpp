@@ -123,7 +123,7 @@ TEST_F(Compare, TakesWhatIsVariedFromTheCaseFile) {
               HasSubstr("wrong.toml:2:10: compare.scheme: unknown key (did you mean 'compare.schemes'?)"));
   const fs::path text = folder_.file("text.toml", "[compare]\nschemes = \"gimp\"\n");
   EXPECT_THAT(compare({text.string()}).err,
-              HasSubstr("text.toml:2:11: compare.schemes: is 'gimp'; allowed: a list of texts"));
+              HasSubstr("text.toml:2:11: compare.schemes: is \"gimp\"; allowed: a list of texts"));
 }
 
 TEST_F(Compare, RefusesAFolderThatHoldsAnotherCampaign) {

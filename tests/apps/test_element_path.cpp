@@ -102,7 +102,7 @@ TEST_F(ElementPaths, TellsWhereALegHasTooFewConditionsOrALimitIsNone) {
   EXPECT_THAT(errors(start + "sigma_3 = 1\nuntil = 'soon'\n"), HasSubstr("such as \"p < 20 kPa\""));
   EXPECT_THAT(errors(start + "sigma_3 = 'keep'\n"),
               testing::EndsWith(
-                  "case.toml:5:11: stage.1.sigma_3: 'keep' is not a number with a unit; allowed: free, hold, or a "
+                  "case.toml:5:11: stage.1.sigma_3: \"keep\" is not a number with a unit; allowed: free, hold, or a "
                   "number in Pa, or a text with a unit (Pa, kPa, MPa, GPa, bar)"));
   EXPECT_EQ(errors(start + "sigma_3 = 'hold'\n"), "no error");
 }

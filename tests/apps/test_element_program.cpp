@@ -169,7 +169,7 @@ TEST_F(ElementProgram, RefusesAStartThatTheLawDoesNotKnow) {
   EXPECT_THAT(
       element("g", {"triaxial", "--set", "specimen.void_ratio=1.185", "--set", "material.cohesion_pressure=100e3"}).err,
       HasSubstr("the law allows (0.4"));
-  EXPECT_THAT(element("d", {"path", "--set", "initial.sigma=[-1,2,3]"}).err, HasSubstr("initial.sigma: [ -1, 2, 3 ]"));
+  EXPECT_THAT(element("d", {"path", "--set", "initial.sigma=[-1,2,3]"}).err, HasSubstr("initial.sigma: [-1, 2, 3]"));
   EXPECT_EQ(element("e", {"triaxial", "--set", "specimen.void_ratio=0.3"}).code, 2);
   EXPECT_FALSE(fs::exists(folder_ / "e"));
 }
