@@ -151,8 +151,9 @@ void print_result(const NamedCurve& named) {
   const auto peak = std::ranges::max_element(curve.rows, {}, &ElementRow::phi_mob);
   const ElementRow& last = curve.rows.back();
   const bool shear = curve.test == "shear";
-  std::printf("%s%speak %.2f deg at %s = %.2f %%, end %.2f deg, e = %.4f, sigma_1 = %.4g kPa at %.2f %%\n",
-              named.label.c_str(), named.label.empty() ? "" : ": ", peak->phi_mob, shear ? "gamma" : "eps_1",
+  const char* how = !curve.failure.empty() ? "failed: " : !curve.interrupted.empty() ? "interrupted: " : "";
+  std::printf("%s%s%speak %.2f deg at %s = %.2f %%, end %.2f deg, e = %.4f, sigma_1 = %.4g kPa at %.2f %%\n",
+              named.label.c_str(), named.label.empty() ? "" : ": ", how, peak->phi_mob, shear ? "gamma" : "eps_1",
               100 * (shear ? peak->gamma : peak->eps[0]), last.phi_mob, last.void_ratio, 1e-3 * last.sigma[0],
               100 * (shear ? last.gamma : last.eps[0]));
 }
