@@ -2,18 +2,9 @@
 
 #include "core/base/error.hpp"
 #include "core/io/input_file.hpp"
-
-#include <vtkCellData.h>
-#include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
+#include "core/io/packed_data.hpp"
+#include "core/io/toml_words.hpp"
+#include "core/io/xml.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -23,57 +14,76 @@
 namespace riedel {
 namespace {
 
-/// Notes that something went wrong.
-class Listener final : public vtkCommand {
-public:
-  static Listener* New() { return new Listener; }
-  void Execute(vtkObject* /*caller*/, unsigned long event, void* /*data*/) override {
-    heard_error = heard_error || event == vtkCommand::ErrorEvent;
-  }
-  bool heard_error = false;
-};
+constexpr std::uintmax_t largest_frame = std::uintmax_t{4} << 30; ///< [bytes]
 
-/// While it lives, VTK prints nothing.
-class Silence {
-public:
-  Silence() { vtkObject::GlobalWarningDisplayOff(); }
-  ~Silence() { vtkObject::SetGlobalWarningDisplay(before_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  vtkTypeBool before_ = vtkObject::GetGlobalWarningDisplay();
-};
-
-/// The text of an attribute in a line of XML; empty if it is not there.
-std::string attribute(const std::string& line, const std::string& name) {
-  const std::size_t start = line.find(name + "=\"");
-  if (start == std::string::npos) return "";
-  const std::size_t from = start + name.size() + 2;
-  return line.substr(from, line.find('"', from) - from);
+double real_in(const std::string& text) {
+  double x = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x))
+    throw InputError("'" + text + "' where a number should stand");
+  return x;
 }
 
-/// Below the folder that it is told in, as frames are: "../" leads elsewhere.
-bool stays_inside(const std::filesystem::path& path) {
-  return path.is_relative() && std::ranges::find(path, std::filesystem::path("..")) == path.end();
+std::size_t count_in(const XmlElement& element, const char* name, std::size_t otherwise) {
+  const std::string text = element.attribute(name);
+  if (text.empty()) return otherwise;
+  std::uint32_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw InputError("'" + text + "' where " + name + " should stand");
+  return count;
 }
 
-double number_in(vtkFieldData* data, const char* name) {
-  vtkDataArray* array = data->GetArray(name);
-  return array != nullptr && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0.0;
+/// The file of a frame: below the folder of the index, where frames are written.
+std::filesystem::path file_in(const XmlElement& entry) {
+  const std::filesystem::path file = entry.attribute("file");
+  if (file.empty() || file.is_absolute() || std::ranges::find(file, std::filesystem::path("..")) != file.end())
+    throw InputError("'" + file.string() + "' is no file beside it");
+  return file;
 }
 
-Field field_of(vtkDataArray& array) {
-  Field field{.name = array.GetName() == nullptr ? "" : array.GetName(),
-              .components = array.GetNumberOfComponents(),
+/// How the arrays of a file are compressed.
+Unpack unpack_of(const XmlElement& file) {
+  const std::string compressor = file.attribute("compressor");
+  if (file.name != "VTKFile" || file.attribute("header_type") != "UInt32" ||
+      file.attribute("byte_order") != "LittleEndian")
+    throw InputError("it is not in the form in which frames are written");
+  if (compressor == "vtkZLibDataCompressor") return from_zlib;
+  if (compressor == "vtkLZ4DataCompressor") return from_lz4; // as earlier builds have it
+  if (compressor.empty()) return nullptr;
+  throw InputError("it is compressed by '" + compressor + "', and frames are by zlib or LZ4");
+}
+
+/// The numbers of an array with so many rows.
+std::vector<double> values_in(const XmlElement& array, std::size_t rows, std::size_t components, Unpack unpack) {
+  const std::string type = array.attribute("type");
+  const std::string_view text = trimmed(array.text);
+  const std::size_t size = rows * components * size_of_type(type);
+  constexpr std::size_t most_for_a_letter = 1032; // zlib makes no more of a byte
+  if (array.attribute("format") != "binary" || size / most_for_a_letter > text.size())
+    throw InputError("the array '" + array.attribute("Name") + "' holds no such numbers");
+  return numbers_of(unpacked(text, size, unpack), type);
+}
+
+double number_in(const XmlElement& data, std::string_view name, Unpack unpack) {
+  for (const XmlElement& each : data.children)
+    if (each.name == "FieldData")
+      for (const XmlElement& array : each.children)
+        if (array.attribute("Name") == name) return values_in(array, 1, 1, unpack).front();
+  return 0.0;
+}
+
+Field field_of(const XmlElement& array, std::size_t cells, Unpack unpack) {
+  constexpr std::size_t most_components = 9;
+  const std::size_t components = count_in(array, "NumberOfComponents", 1);
+  if (components == 0 || components > most_components) throw InputError("an array with too many components");
+  Field field{.name = array.attribute("Name"),
+              .components = static_cast<int>(components),
               .unit = "",
-              .values = {},
-              .whole = array.GetDataType() != VTK_FLOAT && array.GetDataType() != VTK_DOUBLE};
-  if (vtkInformation* information = array.GetInformation(); information->Has(vtkDataArray::UNITS_LABEL()) != 0)
-    field.unit = information->Get(vtkDataArray::UNITS_LABEL());
-  field.values.reserve(static_cast<std::size_t>(array.GetNumberOfValues()));
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i)
-    for (int c = 0; c < field.components; ++c) field.values.push_back(array.GetComponent(i, c));
+              .values = values_in(array, cells, components, unpack),
+              .whole = !array.attribute("type").starts_with("Float")};
+  for (const XmlElement& key : array.children)
+    if (key.name == "InformationKey" && key.attribute("name") == "UNITS_LABEL") field.unit = trimmed(key.text);
   return field;
 }
 
@@ -85,35 +95,25 @@ std::vector<double> middles(const std::vector<double>& corners, std::size_t corn
   return position;
 }
 
-Frame frame_of(vtkPointSet& data, int dimension) {
-  Frame frame{.dimension = dimension,
-              .time = number_in(data.GetFieldData(), "TimeValue"),
-              .u_over_h = number_in(data.GetFieldData(), "u_over_h"),
+Frame frame_of(const XmlElement& file, bool flat) {
+  const Unpack unpack = unpack_of(file);
+  const XmlElement &data = file.child(flat ? "PolyData" : "UnstructuredGrid"), &piece = data.child("Piece");
+  const std::size_t corners = count_in(piece, "NumberOfPoints", 0);
+  const std::size_t cells = count_in(piece, flat ? "NumberOfPolys" : "NumberOfCells", 0);
+  Frame frame{.dimension = flat ? 2 : 3,
+              .time = number_in(data, "TimeValue", unpack),
+              .u_over_h = number_in(data, "u_over_h", unpack),
               .position = {},
               .corners = {},
               .fields = {}};
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i)
-    for (int a = 0; a < 3; ++a) frame.corners.push_back(data.GetPoint(i)[a]);
   const auto corners_of_cell = static_cast<std::size_t>(frame.corners_per_point());
-  if (frame.corners.size() % (3 * corners_of_cell) != 0) return frame;
+  if (cells == 0 || corners != cells * corners_of_cell) throw InputError("it is no file of domains");
+  frame.corners = values_in(piece.child("Points").child("DataArray"), corners, 3, unpack);
+  if (!std::ranges::all_of(frame.corners, [](double x) { return std::isfinite(x); }))
+    throw InputError("a corner is nowhere");
   frame.position = middles(frame.corners, corners_of_cell);
-  for (int a = 0; a < data.GetCellData()->GetNumberOfArrays(); ++a)
-    if (vtkDataArray* array = data.GetCellData()->GetArray(a)) frame.fields.push_back(field_of(*array));
-  return frame;
-}
-
-/// @throws InputError where VTK finds the file damaged
-template <class Reader>
-Frame read_with(const std::filesystem::path& path, int dimension) {
-  const Silence silence;
-  vtkNew<Reader> reader;
-  vtkNew<Listener> listener;
-  for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) reader->AddObserver(event, listener);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  Frame frame = frame_of(*reader->GetOutput(), dimension);
-  if (listener->heard_error || frame.points() == 0)
-    throw InputError(path.string() + ": is damaged, or no file of domains");
+  for (const XmlElement& array : piece.child("CellData").children)
+    frame.fields.push_back(field_of(array, cells, unpack));
   return frame;
 }
 
@@ -123,17 +123,12 @@ std::vector<FrameFile> frame_files(const std::filesystem::path& folder) {
   const std::filesystem::path index = folder / "domains.pvd";
   std::vector<FrameFile> files;
   if (!std::filesystem::exists(index)) return files;
-  std::istringstream text(read_input_file(index));
-  for (std::string line; std::getline(text, line);) {
-    if (line.find("<DataSet") == std::string::npos) continue;
-    const std::string time = attribute(line, "timestep"), name = attribute(line, "file");
-    FrameFile entry{.path = folder / name};
-    const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), entry.time);
-    if (name.empty() || !stays_inside(name) || error != std::errc{} || end != time.data() + time.size() ||
-        !std::isfinite(entry.time))
-      throw InputError(index.string() + ": cannot be understood: " + line);
-    files.push_back(std::move(entry));
-  }
+  const std::string text = read_input_file(index);
+  try {
+    const XmlElement file = read_xml(text);
+    for (const XmlElement& entry : file.child("Collection").children)
+      files.push_back({.time = real_in(entry.attribute("timestep")), .path = folder / file_in(entry)});
+  } catch (const InputError& error) { throw InputError(index.string() + ": cannot be understood: " + error.what()); }
   return files;
 }
 
@@ -142,13 +137,10 @@ Frame read_frame(const std::filesystem::path& path) {
   if (!flat && path.extension() != ".vtu")
     throw InputError(path.string() + ": is no frame, which ends in .vtp or .vtu");
   if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is missing, or no file");
-  Frame frame = flat ? read_with<vtkXMLPolyDataReader>(path, 2) : read_with<vtkXMLUnstructuredGridReader>(path, 3);
-  if (!std::ranges::all_of(frame.corners, [](double x) { return std::isfinite(x); }))
-    throw InputError(path.string() + ": is damaged, or no file of domains");
+  const std::string text = read_input_file(path, largest_frame);
   try {
-    frame.check();
-  } catch (const std::logic_error& error) { throw InputError(path.string() + ": is damaged: " + error.what()); }
-  return frame;
+    return frame_of(read_xml(text), flat);
+  } catch (const InputError& error) { throw InputError(path.string() + ": is damaged: " + error.what()); }
 }
 
 } // namespace riedel

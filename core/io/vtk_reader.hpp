@@ -1,4 +1,5 @@
-/// Reads back the frames that a run wrote for ParaView.
+/// Reads back the frames that a run wrote for ParaView. VTK's own readers end the program for some of what a damaged
+/// file may hold, so they take no part in it.
 #pragma once
 
 #include "core/io/frame.hpp"
@@ -19,7 +20,7 @@ struct FrameFile {
 std::vector<FrameFile> frame_files(const std::filesystem::path& folder);
 
 /// A frame with domains and fields, to float precision, in two dimensions (.vtp) or three (.vtu), compressed by
-/// whatever VTK knows; a point's position is the mean of its domain's corners.
+/// zlib, or by LZ4 as earlier builds wrote it, or not at all; a point's position is the mean of its domain's corners.
 /// @throws InputError that names the file when it is missing or damaged
 Frame read_frame(const std::filesystem::path& path);
 

@@ -74,7 +74,7 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> all = {
       {"CGAL", std::regex("^CGAL/"), std::regex("nonlocal/cgal_kd_tree[.]cpp")},
-      {"VTK", std::regex("^vtk"), std::regex("core/io/(vtk_writer|vtk_reader|picture|plot|canvas)[.]cpp")},
+      {"VTK", std::regex("^vtk"), std::regex("core/io/(vtk_writer|picture|plot|canvas)[.]cpp")},
       {"toml++", std::regex("^toml([+][+])?[/.]"), std::regex("core/io/toml_reader[.]cpp")},
       {"Boost", std::regex("^boost/"), std::regex("apps/[^/]*[.]cpp|core/io/plugin_loader[.]cpp")},
   };

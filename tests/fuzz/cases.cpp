@@ -7,6 +7,7 @@
 #include "core/io/units.hpp"
 #include "fuzz/support.hpp"
 #include "fuzz/targets.hpp"
+#include "materials/umat_states.hpp"
 
 #include <cmath>
 #include <set>
@@ -56,6 +57,14 @@ void assignment(std::string_view input) {
 void quantity(std::string_view input) {
   for (const char* unit : {"m", "Pa", "m/s", "deg", "kg/m3", "-", "1/s"})
     may_refuse([&] { require(std::isfinite(read_quantity(input, unit)), "a quantity is not finite"); });
+}
+
+void umat_states(std::string_view input) {
+  may_refuse([&] {
+    const UmatStates states(std::string(input), {}, 1e3);
+    require(states.size() <= UmatStates::most, "more states than a UMAT can have");
+    require(states.start().size() == states.size() + 6, "a start of another length");
+  });
 }
 
 void variations(std::string_view input) {

@@ -55,7 +55,9 @@ void incremental_driver(std::string_view input) {
   folder.file("parameters.inp", files[0]);
   folder.file("initialconditions.inp", files[1]);
   folder.file("test.inp", files[2]);
-  may_refuse([&] { (void)import_incremental_driver(incremental_files({folder.path().string()}), CaseFile::empty()).count("stage"); });
+  may_refuse([&] {
+    (void)import_incremental_driver(incremental_files({folder.path().string()}), CaseFile::empty()).count("stage");
+  });
 }
 
 void table(std::string_view input) {
