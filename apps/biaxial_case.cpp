@@ -1,14 +1,19 @@
 #include "apps/biaxial_keys.hpp"
 #include "apps/biaxial_sense.hpp"
 #include "apps/case_kind.hpp"
+#include "apps/catalogue.hpp"
 #include "apps/idle_keys.hpp"
 #include "apps/law_uses.hpp"
+#include "apps/material_keys.hpp"
 
 namespace riedel {
 
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
   Keys keys = biaxial_keys(catalogue, model_of(given));
   const Values first = given.check(keys).values;
+  const std::string& model = first.text("material.model");
+  if (first.has("material.library") && !first.text("material.library").empty() && catalogue.materials.known(model))
+    try_library(given, first, [&] { (void)catalogue.materials.find(model).make(first.section("material")); });
   const auto uses = law_uses(first, catalogue); // none for a law that is wrong, which is told below
   std::vector<std::string> notes;
   if (uses) notes = fit_defaults(keys, *uses, given, first);

@@ -73,16 +73,6 @@ void refuse_single_dashes(const Command& command, const Texts& words) {
   }
 }
 
-void refuse_repeats(const Command& command, const Arguments& arguments) {
-  for (const Option& option : command.options) {
-    const auto given = arguments.options.find(option.name);
-    const bool several = option.repeated || option.value.find(',') != std::string::npos;
-    if (several || given == arguments.options.end() || given->second.size() < 2) continue;
-    throw InputError("--" + option.name + " is given twice: " + given->second[0] + " and " + given->second[1] +
-                     "; give it once" + hint(command));
-  }
-}
-
 /// Whether the last word asks for help, and is no file or folder.
 bool asks_for_help(const Texts& words) {
   return !words.empty() && words.back() == "help" && !std::filesystem::exists("help");
@@ -231,7 +221,6 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
     arguments.words.pop_back();
     arguments.options["help"];
   }
-  refuse_repeats(command, arguments);
   if (!arguments.has("help") && arguments.words.size() > command.most_words)
     throw InputError("'" + arguments.words[command.most_words] + "' is one word too many; expected: riedel " +
                      command.name + " " + command.usage);

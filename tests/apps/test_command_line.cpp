@@ -54,12 +54,9 @@ TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
   EXPECT_THAT([] { (void)parsed({"--force=1"}); }, error_with("--force takes no value; see 'riedel biaxial --help'"));
 }
 
-TEST(CommandLine, RefusesAnOptionThatIsGivenTwice) {
-  EXPECT_THAT(
-      [] {
-        (void)parsed({"--out", "a", "-o", "b"});
-      },
-      error_with("--out is given twice: a and b; give it once"));
+/// So that words can be put behind those of a script.
+TEST(CommandLine, TakesTheLastOfAnOptionThatIsGivenTwice) {
+  EXPECT_EQ(parsed({"--out", "a", "-o", "b"}).out("here"), "b");
   EXPECT_EQ(parsed({"--force", "--force"}).words.size(), 0U); // says the same
   const Command lists{"bench", "", "A test.", 0, {{"schemes", "A,B", "a list"}}, nullptr};
   EXPECT_THAT(parse(lists, {"--schemes", "a", "--schemes", "b,c"}).list("schemes", {}), ElementsAre("a", "b", "c"));
