@@ -1,6 +1,7 @@
 /// docs/paraview.md names every array that a run writes for ParaView, and no other; other programs read the files.
 #include "apps/program.hpp"
 #include "apps/series.hpp"
+#include "apps/weak_zone.hpp"
 #include "core/io/snapshot.hpp"
 #include "support/problems.hpp"
 
@@ -71,6 +72,9 @@ TEST(ParaViewPage, NamesEveryArrayThatIsWrittenAndNoOther) {
     add_arrays<3>(written, material(name));
   }
   add_arrays<2>(written, material("gudehus_bauer", {{"intergranular_strain", true}}));
+  const auto& weak = catalogue().materials.find("mohr_coulomb");
+  const Values parameters(weak.description.parameters);
+  add_arrays<2>(written, std::make_shared<WeakZoneLaw>(weak.make(parameters), weak.make(parameters)));
   EXPECT_EQ(written, documented());
 }
 
