@@ -34,7 +34,7 @@ TEST_F(InTheWay, OfAPictureAVerificationIsDone) {
   put("convergence.png");
   EXPECT_THAT(
       done_without("convergence.png", {"verify", "--problems", "patch", "--schemes", "gimp", "--out", out_.string()}),
-      HasSubstr("verify.md, verify.csv\n"));
+      HasSubstr("verify.md, verify.csv, summary.json\n"));
   EXPECT_TRUE(fs::exists(out_ / "verify.csv"));
 }
 
