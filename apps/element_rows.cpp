@@ -48,7 +48,9 @@ ElementRow ElementRows::row_of(const LawPoint& point) const {
 }
 
 bool ElementRows::near(const ElementRow& a, const ElementRow& b) const {
-  constexpr double angle = 0.1, share = 0.005; // [deg], of the stress
+  constexpr double usual = 5e-4; // strain between rows, unless fewer rows are asked for [-]
+  const double coarser = std::max(1.0, every_ / usual);
+  const double angle = 0.1 * coarser, share = 0.005 * coarser; // [deg], of the stress
   double strain = std::abs(a.gamma - b.gamma), change = std::abs(a.tau - b.tau), size = std::abs(b.tau);
   for (std::size_t c = 0; c < 3; ++c) {
     strain = std::max(strain, std::abs(a.eps[c] - b.eps[c]));

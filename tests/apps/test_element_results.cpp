@@ -54,6 +54,21 @@ TEST_F(ElementResults, RowsTellStageCycleTimeAndInvariants) {
   }
 }
 
+/// A long series of cycles fits into a table when fewer rows are asked for.
+TEST_F(ElementResults, RowsBecomeFewerWithTheStrainBetweenThem) {
+  const auto rows = [&](const std::string& every) {
+    EXPECT_EQ(
+        element(every, {"path", cycles(5, ""), "--set", "output.plots=false", "--set", "output.every_strain=" + every})
+            .code,
+        0);
+    return summary(every)["rows"].get<int>();
+  };
+  const int usual = rows("5e-4"), few = rows("0.01");
+  EXPECT_GT(usual, 100);
+  EXPECT_LT(few, usual / 3);
+  EXPECT_GE(few, 1 + 1 + 5 * 2) << "ends of legs are rows in any case";
+}
+
 TEST_F(ElementResults, TheReasonTellsWhichLimitEndedWhichStage) {
   ASSERT_EQ(element("out", {"path", cycles(1000, "until = 'p < 60 kPa'\n"), "--set", "output.plots=false"}).code, 0);
   const json s = summary("out");
