@@ -1,6 +1,7 @@
 # Writes OUTPUT, a source file that says which commit the tree SOURCE stands at: its short hash, with "-dirty" behind it
 # where files differ from the commit, or "unknown" where SOURCE is not the top of a git checkout. An answer that has not
 # changed leaves the file alone. Usage: cmake -DSOURCE=... -DOUTPUT=... -P commit.cmake
+cmake_minimum_required(VERSION 3.25)
 set(commit unknown)
 find_program(GIT git)
 
