@@ -60,6 +60,8 @@ TEST_F(CaseFiles, WhatTheReaderOfTomlTakesForGrantedIsRefusedWithItsPlace) {
 TEST_F(CaseFiles, ALetterBeyondAsciiStandsInQuotesOnly) {
   for (const char* text : {"é = 1", "[ŝx]", "a = é", "a.ö = 1", "a = {ü = 1}", "\u00a0a = 1"})
     EXPECT_THAT(syntax_error(text), HasSubstr("a letter beyond ASCII, which stands in quotes only")) << text;
+  for (const char* text : {"a = 0_'''x = é", "a = \"\\é\"", "a = \"\"\"\\é\"\"\""})
+    EXPECT_THAT(syntax_error(text), HasSubstr(":1:")) << text;
   for (const char* text : {"a = 'é' # é 'ü", "a = \"\"\"é\"\"\"\"\nb = 'ü'", "a = '''é\n'ü'''''", "a = \"\\\"é\""})
     EXPECT_EQ(syntax_error(text), "no error") << text;
 }

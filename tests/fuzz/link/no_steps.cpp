@@ -1,8 +1,10 @@
 // The keys of a case name the steps, which readers never take: the fuzzers do without the library of core.
+#include "apps/commit.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
 
+#include <cstdlib>
 #include <stdexcept>
 
 namespace riedel {
@@ -30,4 +32,13 @@ template void usl_step<3>(State<3>&, const Model<3>&, double);
 template void usf_step<2>(State<2>&, const Model<2>&, double);
 template void usf_step<3>(State<3>&, const Model<3>&, double);
 
+const char* commit() { return "unknown"; }
+
 } // namespace riedel
+
+// Nor do they start threads, or turn the states whose names they read.
+extern "C" {
+void rotsig_(const double*, const double*, double*, const int*, const int*, const int*) { std::abort(); }
+int omp_get_max_threads() { return 1; }
+int omp_get_num_procs() { return 1; }
+}
