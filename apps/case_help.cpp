@@ -99,7 +99,8 @@ std::string umat_check_help(const Arguments& arguments) {
   refuse_unknown_names(given, umat_check_keys());
   return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
 check.strain are the start, in Pa, and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its
-stress or a declared state depends on the frame, if it does nothing, or if it fails.
+stress or a declared state depends on the frame, if it does nothing, or if it fails. CASE.toml may be the case of a run:
+what it says of anything but the law is left out.
 
 Example
   riedel umat-check build/mine.so --set material.parameters=[1e8,0.3] --set check.stress=[0,0,0,0,0,0]

@@ -45,6 +45,16 @@ void tell_where_keys_are_listed(std::vector<Finding>& errors, const std::string&
     if (error.text == "unknown key") error.text += "; 'riedel " + command + " --help' lists the known ones";
 }
 
+void leave_keys_of_runs(const CaseFile& given, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  const auto test = test_of(given);
+  const std::vector<std::string> known =
+      taken_by(test ? keys_of_test(given, *test, catalogue) : biaxial_keys(catalogue, model_of(given)), errors);
+  std::erase_if(errors, [&](const Finding& error) {
+    return is_unknown(error) &&
+           (error.keys.front() == "test" || std::ranges::find(known, error.keys.front()) != known.end());
+  });
+}
+
 void explain_unknown_biaxial_keys(const CaseFile& given, const Catalogue& catalogue, std::vector<Finding>& errors) {
   std::vector<std::string> names;
   std::string best;

@@ -17,4 +17,8 @@ void explain_unknown_biaxial_keys(const CaseFile& given, const Catalogue& catalo
 void explain_unknown_element_keys(const CaseFile& given, const std::string& test, const Catalogue& catalogue,
                                   std::vector<Finding>& errors);
 
+/// Leaves out what a case has for the run that its law is to serve: keys that only `riedel biaxial` or `riedel element`
+/// takes.
+void leave_keys_of_runs(const CaseFile& given, const Catalogue& catalogue, std::vector<Finding>& errors);
+
 } // namespace riedel

@@ -67,7 +67,7 @@ Exit codes
   for (const Meaning& code : exit_codes()) text += "  " + padded(code.name, 10) + code.text + "\n";
   text += "\nEnvironment\n";
   for (const Meaning& variable : environment_variables())
-    text += "  " + padded(variable.name, 21) + variable.text + "\n";
+    text += "  " + padded(variable.name, 24) + variable.text + "\n";
   return text;
 }
 
@@ -86,6 +86,7 @@ const std::vector<Meaning>& environment_variables() {
   static const std::vector<Meaning> all{
       {"OMP_NUM_THREADS", "threads where --threads is not given"},
       {"RIEDEL_PLUGIN_PATH", "folders, separated by colons, from which all plug-ins (*.so) are loaded"},
+      {"RIEDEL_PLUGIN_TIMEOUT", "seconds that a plug-in or a UMAT may take to be loaded; 10 when it is not set"},
       {"NO_COLOR", "messages without colour, whatever its value"},
       {"TMPDIR", "folder for the copies of a UMAT that threads work with; /tmp when it is not set"}};
   return all;

@@ -48,10 +48,23 @@ po::options_description described(const Options& options) {
 
 std::string hint(const Command& command) { return "; see 'riedel " + command.name + " --help'"; }
 
-std::string unknown_option_text(const Command& command, const std::string& given) {
+/// Commands that have an option of this name, to be told where another one was given it; at most three.
+std::string takers_text(std::span<const Command> commands, std::string_view given) {
+  std::string names;
+  int count = 0;
+  for (const Command& command : commands)
+    for (const Option& option : command.options)
+      if (given == "--" + option.name && ++count <= 3)
+        names += (names.empty() ? "'riedel " : ", 'riedel ") + command.name + "'";
+  if (names.empty()) return "";
+  return "; " + names + (count > 3 ? " and others take it" : count > 1 ? " take it" : " takes it");
+}
+
+std::string unknown_option_text(const Command& command, std::span<const Command> others, const std::string& given) {
   Texts names;
   for (const Option& option : options_of(command)) names.push_back("--" + option.name);
-  return "unknown option " + given + did_you_mean(given, names) + hint(command);
+  const std::string takers = takers_text(others, given);
+  return "unknown option " + given + (takers.empty() ? did_you_mean(given, names) : takers) + hint(command);
 }
 
 std::string wrong_value_text(const Command& command, const po::error_with_option_name& error) {
@@ -65,11 +78,11 @@ std::string wrong_value_text(const Command& command, const po::error_with_option
 }
 
 /// Letters do not stick together: -out is no "-o ut" but a long option with a dash too few.
-void refuse_single_dashes(const Command& command, const Texts& words) {
+void refuse_single_dashes(const Command& command, std::span<const Command> others, const Texts& words) {
   for (const std::string& word : words) {
     if (word == "--") return;
     const bool letters = word.size() > 2 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1])) != 0;
-    if (letters) throw InputError(unknown_option_text(command, word.substr(0, word.find('='))));
+    if (letters) throw InputError(unknown_option_text(command, others, word.substr(0, word.find('='))));
   }
 }
 
@@ -198,8 +211,8 @@ char letter_of(std::string_view option) {
   return option == "help" || option == "version" || option == "out" ? option.front() : '\0';
 }
 
-Arguments parse(const Command& command, const std::vector<std::string>& words) {
-  refuse_single_dashes(command, words);
+Arguments parse(const Command& command, const std::vector<std::string>& words, std::span<const Command> others) {
+  refuse_single_dashes(command, others, words);
   const po::options_description known = described(options_of(command));
   Arguments arguments{.command = typed(command, words), .words = {}, .options = {}};
   try {
@@ -213,7 +226,7 @@ Arguments parse(const Command& command, const std::vector<std::string>& words) {
       values.insert(values.end(), option.value.begin(), option.value.end());
     }
   } catch (const po::unknown_option& error) {
-    throw InputError(unknown_option_text(command, error.get_option_name()));
+    throw InputError(unknown_option_text(command, others, error.get_option_name()));
   } catch (const po::error_with_option_name& error) {
     throw InputError(wrong_value_text(command, error));
   } catch (const po::error& error) { throw InputError(error.what() + hint(command)); }

@@ -70,8 +70,9 @@ void refuse_unknown_names(const std::string& place, const std::vector<std::strin
 char letter_of(std::string_view option);
 
 /// `--help`, `-h` and a last word `help` are the option "help"; "version" likewise.
+/// @param others that may have an option which this one has not
 /// @throws InputError with a hint when the words do not fit the command
-Arguments parse(const Command& command, const std::vector<std::string>& words);
+Arguments parse(const Command& command, const std::vector<std::string>& words, std::span<const Command> others = {});
 
 std::string version(); ///< "riedel 0.1.0 (commit 63db63f)"; what commit() says stands in it
 

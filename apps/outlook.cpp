@@ -56,8 +56,8 @@ std::string element_outlook(const Values& v, const Catalogue& catalogue, ThreadR
   Values start = v; // the pressure at the start has a name of its own in each test
   for (const char* pressure : {"loading.initial_pressure", "loading.normal_stress"})
     if (v.has(pressure)) start.set("loading.confining_pressure", v.at(pressure));
-  const double step = v.is_text("time.step") ? v.number("time.cfl") * cell / wave_speeds(start, *law).under_load
-                                             : v.number("time.step");
+  const double step =
+      v.is_text("time.step") ? v.number("time.cfl") * cell / wave_speeds(start, *law).at_start : v.number("time.step");
   const double time =
       time_to(v.number("loading.final_strain") * edge, v.number("loading.speed"), v.number("loading.ramp_time"));
   return head +

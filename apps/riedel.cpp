@@ -2,8 +2,8 @@
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/completion.hpp"
-#include "apps/manual.hpp"
 #include "apps/failure.hpp"
+#include "apps/manual.hpp"
 #include "apps/messages.hpp"
 #include "apps/standard_streams.hpp"
 #include "core/base/error.hpp"
@@ -50,7 +50,7 @@ int run(std::vector<std::string> words) {
     return print(version() + "\n");
   if (words.front().starts_with('-')) return answer(words);
   const Command& command = find_command(commands(), words.front());
-  const Arguments arguments = parse(command, {words.begin() + 1, words.end()});
+  const Arguments arguments = parse(command, {words.begin() + 1, words.end()}, commands());
   if (arguments.has("help")) return print(help(command, arguments));
   if (arguments.has("version")) return print(version() + "\n");
   return command.run(arguments);

@@ -1,6 +1,7 @@
 /// riedel umat-check: what a UMAT does, before it is trusted in a run.
 #include "apps/bench_table.hpp"
 #include "apps/case_kind.hpp"
+#include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
 #include "apps/material_keys.hpp"
 #include "apps/umat_probe.hpp"
@@ -91,7 +92,10 @@ int umat_check(const Arguments& arguments) {
   given.override_with("material.library=" + toml_text(arguments.words.front()), "riedel umat-check:");
   const Values values = checked_case(
                             given, umat_check_keys(), [](const Values&) { return Findings{}; },
-                            [](std::vector<Finding>& errors) { tell_where_keys_are_listed(errors, "umat-check"); })
+                            [&](std::vector<Finding>& errors) {
+                              leave_keys_of_runs(given, full_catalogue(), errors);
+                              tell_where_keys_are_listed(errors, "umat-check");
+                            })
                             .values;
   const Values material = values.section("material");
   try_library(given, values, [&] { const Umat law(material); });

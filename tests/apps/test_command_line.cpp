@@ -54,6 +54,20 @@ TEST(CommandLine, RefusesWhatTheCommandDoesNotKnow) {
   EXPECT_THAT([] { (void)parsed({"--force=1"}); }, error_with("--force takes no value; see 'riedel biaxial --help'"));
 }
 
+TEST(CommandLine, TellsWhichOtherCommandTakesAnOption) {
+  const auto message = [](const Command& command, const std::string& word) {
+    try {
+      (void)parse(command, {word}, commands());
+    } catch (const InputError& error) { return std::string(error.what()); }
+    return std::string("no error");
+  };
+  const auto& all = commands();
+  EXPECT_THAT(message(find_command(all, "biaxial"), "--script"),
+              HasSubstr("unknown option --script; 'riedel compare' takes it; see 'riedel biaxial --help'"));
+  EXPECT_THAT(message(find_command(all, "collect"), "--out"), HasSubstr(" and others take it; see 'riedel collect"));
+  EXPECT_THAT(message(find_command(all, "biaxial"), "--shcemes"), Not(HasSubstr("takes it")));
+}
+
 /// So that words can be put behind those of a script.
 TEST(CommandLine, TakesTheLastOfAnOptionThatIsGivenTwice) {
   EXPECT_EQ(parsed({"--out", "a", "-o", "b"}).out("here"), "b");

@@ -161,6 +161,20 @@ TEST(Umat, PassesTheCheckIfItsTensorStateIsDeclaredAndFailsItOtherwise) {
   EXPECT_THAT(outcome.out, HasSubstr("BAD: the answer depends on the frame"));
 }
 
+TEST(Umat, IsCheckedWithTheCaseOfARun) {
+  const TemporaryFolder folder;
+  const std::string law = "[material]\nmodel = \"umat\"\nparameters = [2e7, 0.25]\n";
+  const Words words{"umat-check", example("elastic_umat"), (folder / "case.toml").string()};
+  (void)folder.file("case.toml", "scheme = \"cpdi\"\n[grid]\ncells = [4, 8]\n[nonlocal]\nlength = 0\n" + law);
+  EXPECT_EQ(run(folder, words).code, 0) << run(folder, words).err;
+  (void)folder.file("case.toml", "test = \"triaxial\"\n[loading]\nfinal_strain = 0.01\n" + law);
+  EXPECT_EQ(run(folder, words).code, 0) << run(folder, words).err;
+  (void)folder.file("case.toml", "[gird]\ncells = [4, 8]\n" + law);
+  const Outcome outcome = run(folder, words);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("case.toml:2:9: gird.cells"));
+}
+
 TEST(Umat, RefusesStatesThatDoNotFitTheirNames) {
   const std::vector<double> two{1.0, 2.0};
   EXPECT_THROW(umat(library("umat_0"), {{"state", two}, {"state_names", std::string("h:strain")}}), InputError);
