@@ -74,6 +74,6 @@ char letter_of(std::string_view option);
 /// @throws InputError with a hint when the words do not fit the command
 Arguments parse(const Command& command, const std::vector<std::string>& words, std::span<const Command> others = {});
 
-std::string version(); ///< "riedel 0.1.0 (commit 63db63f)"; what commit() says stands in it
+std::string version(); ///< "riedel 0.2.0 (commit 63db63f)"; what commit() says stands in it
 
 } // namespace riedel

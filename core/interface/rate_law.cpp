@@ -6,7 +6,7 @@ Keys IntegrationControl::keys() {
   return {{.name = "tolerance",
            .default_value = 1e-4,
            .unit = "-",
-           .bounds = within(0.0, 0.1),
+           .bounds = between(1e-14, 0.1),
            .doc = "error of stress and state variables allowed in one step, relative"}};
 }
 

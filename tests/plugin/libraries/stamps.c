@@ -12,7 +12,7 @@ struct stamp {
 };
 
 #if KIND == 1 /* another interface */
-const struct stamp riedel_plugin = {"riedel plug", 4711, "0.1.0", "12", 0, 0};
+const struct stamp riedel_plugin = {"riedel plug", 4711, "0.2.0", "12", 0, 0};
 #elif KIND == 2 /* another version */
 const struct stamp riedel_plugin = {"riedel plug", 2, "99.1.0", "12", 0, 0};
 #elif KIND == 3 /* another compiler */
