@@ -54,12 +54,14 @@ struct BandLine {
   double spread = 0.0;            ///< standard deviation across [m]
   double begin = 0.0, end = 0.0;  ///< of the straight part, along the line from the centre [m]
 
-  [[nodiscard]] double along(const BandSample& s) const {
-    return std::cos(angle) * (s.x - centre)[0] + std::sin(angle) * (s.x - centre)[1];
+  [[nodiscard]] double along(const Vec<2>& x) const {
+    return std::cos(angle) * (x - centre)[0] + std::sin(angle) * (x - centre)[1];
   }
-  [[nodiscard]] double across(const BandSample& s) const {
-    return std::cos(angle) * (s.x - centre)[1] - std::sin(angle) * (s.x - centre)[0];
+  [[nodiscard]] double across(const Vec<2>& x) const {
+    return std::cos(angle) * (x - centre)[1] - std::sin(angle) * (x - centre)[0];
   }
+  [[nodiscard]] double along(const BandSample& s) const { return along(s.x); }
+  [[nodiscard]] double across(const BandSample& s) const { return across(s.x); }
   [[nodiscard]] bool near(const BandSample& s) const { return std::abs(across(s)) <= 3.0 * spread; }
   [[nodiscard]] bool beside(const BandSample& s) const { return begin <= along(s) && along(s) <= end; }
 };

@@ -7,24 +7,38 @@
 
 namespace riedel {
 
-ShearBand measure_band(const Frame& frame, const Values& values) {
-  const bool has_void_ratio = frame.has("void_ratio");
-  const std::size_t count = frame.points();
-  const Turn turn(values);
-  const std::vector<double> e = has_void_ratio ? frame.field("void_ratio").values : std::vector<double>{};
-  const auto& J = frame.field("volume_ratio").values;
-  std::vector<double> x(count), y(count), e_0(e.size()), rotation = frame.field("polar_rotation").values;
-  for (std::size_t p = 0; p < count; ++p) {
-    const Vec<2> place = turn.to_specimen({frame.position[3 * p], frame.position[3 * p + 1]});
-    x[p] = place[0];
-    y[p] = place[1];
-    if (has_void_ratio) e_0[p] = (1.0 + e[p]) / J[p] - 1.0; // grains keep their volume
-    rotation[p] *= std::numbers::pi / 180.0;
+namespace {
+
+/// Where the points of a frame in the plane stand in the specimen's axes.
+struct Places {
+  std::vector<double> x, y;
+
+  Places(const Frame& frame, const Turn& turn) : x(frame.points()), y(frame.points()) {
+    for (std::size_t p = 0; p < x.size(); ++p) {
+      const Vec<2> place = turn.to_specimen({frame.position[3 * p], frame.position[3 * p + 1]});
+      x[p] = place[0];
+      y[p] = place[1];
+    }
   }
+};
+
+std::vector<double> void_ratios(const Frame& frame) {
+  return frame.has("void_ratio") ? frame.field("void_ratio").values : std::vector<double>{};
+}
+
+} // namespace
+
+ShearBand measure_band(const Frame& frame, const Values& values) {
+  const Places places(frame, Turn(values));
+  const std::vector<double> e = void_ratios(frame);
+  const auto& J = frame.field("volume_ratio").values;
+  std::vector<double> e_0(e.size()), rotation = frame.field("polar_rotation").values;
+  for (std::size_t p = 0; p < e.size(); ++p) e_0[p] = (1.0 + e[p]) / J[p] - 1.0; // grains keep their volume
+  for (double& angle : rotation) angle *= std::numbers::pi / 180.0;
   const BandSettings settings{.length = values.number("nonlocal.length"),
                               .threshold = values.number("output.band_void_ratio")};
-  return measure_shear_band({.x = x,
-                             .y = y,
+  return measure_shear_band({.x = places.x,
+                             .y = places.y,
                              .volume = frame.field("volume").values,
                              .void_ratio = e,
                              .initial_void_ratio = e_0,
@@ -47,6 +61,36 @@ nlohmann::ordered_json band_json(const ShearBand& band) {
       {"localisation_ratio", band.localisation_ratio}, {"conjugate_ratio", band.conjugate_ratio},
       {"straight_length_m", band.straight_length_m}};
   for (const auto& [name, figure] : figures) json[name] = figure_json(figure);
+  return json;
+}
+
+StressQuality measure_quality(const Frame& frame, const ShearBand& band, const Values& values) {
+  const auto& cells = values.integers("grid.cells");
+  const double cell = std::max(values.number("specimen.width") / static_cast<double>(cells[0]),
+                               values.number("specimen.height") / static_cast<double>(cells[1]));
+  const Places places(frame, Turn(values));
+  const std::vector<double> e = void_ratios(frame);
+  return measure_stress_quality({.x = places.x,
+                                 .y = places.y,
+                                 .pressure = frame.field("mean_pressure").values,
+                                 .void_ratio = e,
+                                 .rate = frame.field("rate_norm").values},
+                                band,
+                                {.core = std::max(2.0 * values.number("nonlocal.length"), 1.8 * cell),
+                                 .smoothing = 1.1 * cell,
+                                 .least_pressure = 0.02 * values.number("loading.confining_pressure")});
+}
+
+nlohmann::ordered_json quality_json(const StressQuality& quality) {
+  const bool measured = quality.core_points > 0;
+  nlohmann::ordered_json json{{"pressure_scatter", figure_json(quality.pressure_scatter)},
+                              {"void_ratio_scatter", figure_json(quality.void_ratio_scatter)},
+                              {"rate_scatter", figure_json(quality.rate_scatter)},
+                              {"core_points", nullptr},
+                              {"without_stress", nullptr},
+                              {"doubt", nullptr}};
+  if (measured) json["core_points"] = quality.core_points, json["without_stress"] = quality.without_stress;
+  if (const std::string doubt = quality.doubt(); !doubt.empty()) json["doubt"] = doubt;
   return json;
 }
 

@@ -1,7 +1,7 @@
 /// The shear band of a frame, as summary.json tells it.
 #pragma once
 
-#include "apps/shear_band.hpp"
+#include "apps/stress_quality.hpp"
 #include "core/base/parameters.hpp"
 #include "core/io/frame.hpp"
 
@@ -14,5 +14,12 @@ namespace riedel {
 ShearBand measure_band(const Frame& frame, const Values& values);
 
 nlohmann::ordered_json band_json(const ShearBand& band);
+
+/// How sound the stresses of a frame in the plane are within its band: the core reaches 2 l_c to either side, or 1.8
+/// cells where that is more or the law is local; local means reach as far as neighbouring points do, about a cell; a
+/// point below 2 % of the confining pressure carries no stress.
+StressQuality measure_quality(const Frame& frame, const ShearBand& band, const Values& values);
+
+nlohmann::ordered_json quality_json(const StressQuality& quality);
 
 } // namespace riedel

@@ -5,6 +5,7 @@
 #include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
 #include "apps/failure.hpp"
+#include "apps/figure_json.hpp"
 #include "apps/interrupt.hpp"
 #include "apps/memory_needed.hpp"
 #include "apps/messages.hpp"
@@ -77,8 +78,9 @@ void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interr
 
 /// What a reader of the numbers must know before believing them.
 template <int Dim>
-void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& band, double step_over_limit) {
-  if (band.at("doubt").is_string()) print_warning("shear band: " + band.at("doubt").get<std::string>());
+void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& summary, double step_over_limit) {
+  for (const auto& [part, name] : {std::pair{"band", "shear band: "}, {"stress_quality", "stresses: "}})
+    if (const std::string doubt = text_in(summary.at(part), "doubt", ""); !doubt.empty()) print_warning(name + doubt);
   if (step_over_limit > 1.0)
     print_warning("the time step was " + short_text(step_over_limit) +
                   " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
@@ -133,7 +135,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   if (values.flag("output.plots"))
     try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
   print_result(result, output.path(), pictures);
-  warn_of_doubts(run, result.at("band"), watch.most());
+  warn_of_doubts(run, result, watch.most());
   return interrupt ? interrupt.exit_code() : 0;
 }
 

@@ -105,9 +105,9 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})
     check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
-  check_step(values, found.errors);
+  check_step(values, catalogue, {}, found.errors);
   check_interpolation(values, catalogue, found.errors);
-  check_transfer(values, catalogue, Model<2>().flip, found);
+  check_transfer(values, catalogue, found);
   check_depth(values, found.errors);
   check_offered(values, catalogue, dimensions_of_biaxial(values), found.errors);
   check_number_of_points(values, found.errors);

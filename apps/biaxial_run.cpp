@@ -8,11 +8,26 @@
 namespace riedel {
 
 namespace {
-const std::vector<std::string> columns{"step",          "time_s",          "u_over_h",         "phi_mob_deg",
-                                       "force_N_per_m", "kinetic_J_per_m", "internal_J_per_m", "external_J_per_m",
-                                       "time_step_s",   "substepped",      "low_pressure",     "separated",
-                                       "out_of_bounds"};
-constexpr double settled = 0.005; ///< u/h0 before which the internal energy is too small to compare with
+const std::vector<std::string> columns{"step",
+                                       "time_s",
+                                       "u_over_h",
+                                       "phi_mob_deg",
+                                       "force_N_per_m",
+                                       "kinetic_J_per_m",
+                                       "internal_J_per_m",
+                                       "external_J_per_m",
+                                       "time_step_s",
+                                       "substepped",
+                                       "low_pressure",
+                                       "separated",
+                                       "out_of_bounds",
+                                       "phi_true_deg",
+                                       "filter_J_per_m",
+                                       "alternation",
+                                       "stressless",
+                                       "block_velocity_m_per_s"};
+constexpr double swing_part = 0.01; ///< u/h0 at the end of a run over which the blocks' velocity is looked at
+constexpr double settled = 0.005;   ///< u/h0 before which the internal energy is too small to compare with
 } // namespace
 
 template <int Dim>
@@ -69,10 +84,15 @@ void BiaxialRun<Dim>::add_row() {
   row.time_step = simulation_.time_step();
   row.report = state.report;
   row.out_of_bounds = simulation_.out_of_bounds();
+  row.true_angle = true_angle(row.force, present_width(state.bodies.front().points, values_), values_);
+  row.filter_work = state.filter_work / depth_;
+  row.quality = cheap_quality(state.bodies.front(), values_);
   history_->add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
                            row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
                            static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
-                           static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds)});
+                           static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds),
+                           row.true_angle, row.filter_work, row.quality.alternation,
+                           static_cast<double>(row.quality.stressless), row.quality.block_velocity});
   rows_.push_back(row);
   force_sum_ = force_time_ = 0.0;
   next_row_ += values_.number("output.every_strain");
@@ -139,6 +159,7 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
           {"phi_peak_deg", once_moved(peak->angle)},
           {"u_over_h_at_peak", once_moved(peak->u_over_h)},
           {"phi_residual_deg", figure_json(residual_angle(peak->u_over_h))},
+          {"phi_true_end_deg", once_moved(rows_.back().true_angle)},
           {"kinetic_over_internal_max", figure_json(kinetic_over_internal())},
           {"mass_error", once_moved(mass_on_grid / mass - 1.0)},
           {"evaluated_twice", state.report.evaluated_twice},
@@ -148,6 +169,18 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
           {"low_pressure", state.report.low_pressure},
           {"separated", state.report.separated},
           {"out_of_bounds", simulation_.out_of_bounds()}};
+}
+
+template <int Dim>
+nlohmann::ordered_json BiaxialRun<Dim>::quality() const {
+  std::vector<double> u, velocity;
+  for (const BiaxialRow& row : rows_)
+    if (row.u_over_h > u_over_h() - swing_part)
+      u.push_back(row.u_over_h), velocity.push_back(row.quality.block_velocity);
+  const CheapQuality& last = rows_.back().quality;
+  return {{"alternation", last.alternation},
+          {"stressless", last.stressless},
+          {"block_velocity_swing", figure_json(swing(u, velocity))}};
 }
 
 template class BiaxialRun<2>;

@@ -1,6 +1,7 @@
 /// The biaxial test while it runs: advances, records, and tells what it found.
 #pragma once
 
+#include "apps/cheap_quality.hpp"
 #include "apps/specimen.hpp"
 #include "core/base/thread_choice.hpp"
 #include "core/io/history.hpp"
@@ -20,6 +21,9 @@ struct BiaxialRow {
   double time_step = 0;                                ///< [s]
   MaterialReport report{};
   std::int64_t out_of_bounds = 0;
+  double true_angle = 0;  ///< by the present width [deg]
+  double filter_work = 0; ///< part of the internal energy that the stress filter's own strains made [J/m]
+  CheapQuality quality{};
 };
 
 template <int Dim>
@@ -46,6 +50,8 @@ public:
   [[nodiscard]] double kinetic_over_internal() const;
   /// The keys of summary.json that the run itself knows; null for what it cannot have.
   [[nodiscard]] nlohmann::ordered_json summary() const;
+  /// Of summary.json's stress_quality, what does not look at the band.
+  [[nodiscard]] nlohmann::ordered_json quality() const;
 
 private:
   /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].

@@ -106,6 +106,13 @@ void check_times(const Sense& s, const CaseFile& given) {
                          " s at the start; allowed: less than that, or \"auto\"");
 }
 
+void check_filter(const Sense& s) {
+  const std::string rate = "time.stress_filter";
+  if (!s.v.is_text(rate) && s.v.number(rate) * s.expected.step > 1.0)
+    s.refuse({rate}, s.value(rate, "1/s") + " is over one in a time step of " + number(s.expected.step) +
+                         " s; allowed: up to " + number(1.0 / s.expected.step) + " 1/s, and 0 for none");
+}
+
 void check_grid(const Sense& s) {
   const std::string cells = "grid.cells";
   const auto& n = s.v.integers(cells);
@@ -183,6 +190,7 @@ void check_sense(const CaseFile& given, const Values& v, const Catalogue& catalo
   check_lengths(sense);
   check_loading(sense);
   check_times(sense, given);
+  check_filter(sense);
   check_grid(sense);
   check_output(sense);
   check_work(sense, given);

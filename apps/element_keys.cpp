@@ -18,8 +18,6 @@ namespace riedel {
 namespace {
 
 const Bounds any{};
-/// PIC drags on the sides as they move out; 0.98 leaves 0.07 degrees at the peak in a single cell, and this 0.02.
-constexpr double standard_flip = 0.995;
 
 Key pressure_key(const std::string& name, double standard, std::string doc) {
   return {"loading." + name, standard, "Pa", more_than(0), std::move(doc)};
@@ -93,8 +91,7 @@ Keys mpm_keys(const Catalogue& catalogue) {
       {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
       {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
   append(keys, interpolation_keys(catalogue));
-  append(keys, step_keys());
-  std::ranges::find(keys, "time.flip", &Key::name)->default_value = standard_flip;
+  append(keys, step_keys(element_step_defaults));
   for (Key& key : keys) key.doc = "mpm: " + key.doc;
   return keys;
 }
@@ -186,10 +183,10 @@ Findings check_element(const Values& v, const Catalogue& catalogue) {
   }
   if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
   if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
-    check_step(v, found.errors);
+    check_step(v, catalogue, element_step_defaults, found.errors);
     check_interpolation(v, catalogue, found.errors);
     check_offered(v, catalogue, dimensions_of_element(v), found.errors);
-    check_transfer(v, catalogue, standard_flip, found);
+    check_transfer(v, catalogue, found);
   }
   return found;
 }

@@ -1,6 +1,6 @@
 #include "apps/element_specimen.hpp"
 
-#include "apps/step_keys.hpp"
+#include "apps/expected_work.hpp"
 
 namespace riedel {
 
@@ -124,7 +124,10 @@ template <int Dim>
 Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const Sym<double>& stress) {
   Model<Dim> model;
   model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
-  set_step(model, v);
+  std::unique_ptr<Material> law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  const double pressure = -(stress.m[0] + stress.m[1] + stress.m[2]) / 3.0;
+  set_step(model, v, wave_speeds(*law, pressure, v.number("specimen.void_ratio")).at_start / v.number("specimen.size"),
+           element_step_defaults);
   const Frame<Dim> frame(v, *model.scheme);
   set_boundaries(model, frame, v);
   if (v.text("test") != "oedometer") model.confining_pressure = -stress.m[1];
@@ -132,7 +135,7 @@ Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const 
   state.grid = frame.grid;
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "specimen";
-  body.material = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  body.material = std::move(law);
   fill(body, frame, v, stress);
   return {std::move(model), std::move(state)};
 }

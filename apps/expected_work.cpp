@@ -39,12 +39,15 @@ double expected_points(const Values& v) {
 }
 
 WaveSpeeds wave_speeds(const Values& v, const Material& law) {
+  return wave_speeds(law, v.number("loading.confining_pressure"), v.number("specimen.void_ratio"));
+}
+
+WaveSpeeds wave_speeds(const Material& law, double pressure, double void_ratio) {
   constexpr double loaded = 10.0;
   LawPoint point{.state = law.initial_state()};
-  const double pressure = v.number("loading.confining_pressure");
   for (std::size_t c = 0; c < 3; ++c) point.stress.m[c] = -pressure;
   if (const int e = state_column(law.states(), "void_ratio"); e >= 0)
-    point.state[static_cast<std::size_t>(e)] = v.number("specimen.void_ratio");
+    point.state[static_cast<std::size_t>(e)] = void_ratio;
   const auto speed = [&](double otherwise) {
     const double found = survey(law, point).wave_speed;
     return std::isfinite(found) && found > 0.0 ? found : otherwise;

@@ -27,6 +27,7 @@ struct WaveSpeeds {
   double at_start;
   double under_load; ///< with a vertical stress of ten times the pressure, as at 55° of friction
 };
+WaveSpeeds wave_speeds(const Material& law, double pressure, double void_ratio);
 WaveSpeeds wave_speeds(const Values& values, const Material& law);
 
 /// Steps are those of the loaded specimen: most of a test runs near or past its peak.

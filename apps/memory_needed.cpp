@@ -4,6 +4,7 @@
 #include "apps/failure.hpp"
 #include "apps/memory_there.hpp"
 #include "apps/specimen_geometry.hpp"
+#include "apps/step_keys.hpp"
 #include "apps/velocity_transfers.hpp"
 #include "core/step/model.hpp"
 #include "core/step/state.hpp"
@@ -17,7 +18,7 @@ namespace {
 // Measured: what stays in use beside the arrays that are counted here.
 constexpr double bytes_of_program = 57e6;
 constexpr double bytes_of_pictures = 32e6; ///< while they are drawn, when frames have been written
-constexpr double little_room = 3 << 20; ///< stencils are kept up to here in any case
+constexpr double little_room = 3 << 20;    ///< stencils are kept up to here in any case
 
 template <int Dim>
 double entry_bytes() {
@@ -52,7 +53,8 @@ double bytes_of_frame(int states) {
 template <int Dim>
 double bytes_of_stencils(const Values& v, const ShapeFunction<Dim>& scheme, double points) {
   const double all = points * scheme.max_nodes() * entry_bytes<Dim>();
-  return v.text("time.order") == "usf" || all <= little_room ? all : 0.0;
+  const bool kept = v.text("time.order") == "usf" || filters_stresses(v); // the filter keeps them for its steps
+  return kept || all <= little_room ? all : 0.0;
 }
 
 template <int Dim>
@@ -87,6 +89,10 @@ MemoryNeeded needed(const Values& v, const Catalogue& catalogue) {
   constexpr double sums = sizeof(NodeSums<Dim>), motion = sizeof(NodeMotion<Dim>), number = sizeof(double);
   need.nodes =
       nodes * (sums + motion * (transfer == VelocityTransfer::xpic ? 2.0 : 1.0) + number * scheme->node_columns());
+  if (filters_stresses(v)) {
+    need.points += points * (sizeof(Few<8>) + number);
+    need.nodes += nodes * (3.0 * sizeof(Few<8>) + number);
+  }
   need.stencils = bytes_of_stencils<Dim>(v, *scheme, points);
   need.neighbours =
       law->nonlocal_variables().empty() ? 0.0 : bytes_of_neighbours<Dim>(v, counts, specimen.cell / per_direction);

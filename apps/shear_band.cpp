@@ -150,6 +150,7 @@ ShearBand measure(const BandSamples& samples, int side, double ratio, const Band
   const Width width = half_maximum(beside, line, spacing, &BandSample::rise);
   const Width of_rate = half_maximum(beside, line, spacing, &BandSample::rate);
 
+  band.line = line;
   band.inclination_deg = std::abs(line.angle) * 180.0 / std::numbers::pi;
   band.rises_to_the_right = line.angle > 0.0;
   band.straight_length_m = line.end - line.begin;

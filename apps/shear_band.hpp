@@ -1,6 +1,8 @@
 /// Measures a shear band in a plane strain specimen. Choices and their reasons: docs/theory/shear_band.md.
 #pragma once
 
+#include "apps/band_line.hpp"
+
 #include <limits>
 #include <span>
 #include <string>
@@ -54,6 +56,8 @@ struct ShearBand {
   double localisation_ratio = no_figure; ///< mean of the top tenth of `shear` over its median [-]
   double conjugate_ratio = no_figure;    ///< dilated volume of the weaker band over that of the stronger [-]
   double straight_length_m = no_figure;  ///< length of the part that was measured [m]
+
+  BandLine line{}; ///< its middle and its ends, in the axes of the fields
 
   /// Why the figures are to be doubted: widths that differ threefold, a kind that is a matter of chance. Empty:
   /// nothing.

@@ -1,5 +1,6 @@
 #include "apps/specimen.hpp"
 
+#include "apps/expected_work.hpp"
 #include "apps/material_keys.hpp"
 #include "apps/specimen_boundaries.hpp"
 #include "apps/specimen_patch.hpp"
@@ -69,7 +70,9 @@ template <int Dim>
 Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Model<Dim> model;
   model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
-  set_step(model, v);
+  std::unique_ptr<Material> law = make_law(v, catalogue);
+  set_step(model, v, wave_speeds(v, *law).at_start / v.number("specimen.width"));
+  model.stress_filter.volume_axes = 2; // plane strain, in a slab as well
 
   const SpecimenGeometry<Dim> specimen(v, *model.scheme);
   model.gravity.template head<2>() = -v.number("loading.gravity") * specimen.turn.rotation.col(1);
@@ -77,7 +80,7 @@ Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
   state.grid = specimen.grid();
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "specimen";
-  body.material = make_law(v, catalogue);
+  body.material = std::move(law);
   fill_box<Dim>(body.points, specimen.cells, specimen.cell, static_cast<Index>(v.integer("specimen.points_per_cell")),
                 Vec<Dim>::Zero(), state_components(body.material->states()));
   set_initial_state(body, v);
@@ -101,6 +104,34 @@ double mobilised_angle(double force, const Values& values) {
   return std::asin((sigma_1 - sigma_3) / (sigma_1 + sigma_3)) * 180.0 / std::numbers::pi;
 }
 
+double true_angle(double force, double width, const Values& values) {
+  const double sigma_3 = values.number("loading.confining_pressure"),
+               excess = (force - sigma_3 * values.number("specimen.width")) / width;
+  return std::asin(excess / (excess + 2.0 * sigma_3)) * 180.0 / std::numbers::pi;
+}
+
+template <int Dim>
+double present_width(const Points<Dim>& points, const Values& values) {
+  const auto& cells = values.integers("grid.cells");
+  const auto per_cell = static_cast<std::size_t>(values.integer("specimen.points_per_cell"));
+  const std::size_t in_row = static_cast<std::size_t>(cells[0]) * per_cell,
+                    in_layer = in_row * static_cast<std::size_t>(cells[1]) * per_cell;
+  const Vec<2> across = Turn(values).rotation.col(0);
+  const auto place = [&](std::size_t id) {
+    return across.dot(points.position_of(points.place[id]).template head<2>());
+  };
+  double sum = 0.0, rows = 0.0;
+  for (std::size_t layer = 0; layer < points.place.size(); layer += in_layer)
+    for (const std::size_t first : {layer, layer + in_layer - in_row}) {
+      sum += place(first + in_row - 1) - place(first);
+      rows += 1.0;
+    }
+  const double n = static_cast<double>(in_row);
+  return n > 1.0 ? sum / rows * n / (n - 1.0) : values.number("specimen.width"); // half a spacing on both sides
+}
+
+template double present_width<2>(const Points<2>&, const Values&);
+template double present_width<3>(const Points<3>&, const Values&);
 template Simulation<2> make_biaxial<2>(const Values&, const Catalogue&);
 template Simulation<3> make_biaxial<3>(const Values&, const Catalogue&);
 template double platen_force<2>(const Simulation<2>&, const Values&);

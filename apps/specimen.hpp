@@ -20,4 +20,13 @@ double platen_force(const Simulation<Dim>& simulation, const Values& values);
 /// φ_mob = asin((σ1 − σ3)/(σ1 + σ3)) with σ1 = force/b0 and σ3 the confining pressure [deg].
 double mobilised_angle(double force, const Values& values);
 
+/// The same with the true stress: σ1 acts on the present width. The force in excess of the confining pressure is the
+/// platen's; what the pressure does grows with the width, and is not in `force`, which goes by the initial one [deg].
+double true_angle(double force, double width, const Values& values);
+
+/// Width of the specimen at its ends, from the first to the last point of the rows at both platens: what carries the
+/// force. Volume over height, as laboratories correct, would count the offset of the blocks beside a band as width [m].
+template <int Dim>
+double present_width(const Points<Dim>& points, const Values& values);
+
 } // namespace riedel

@@ -2,18 +2,30 @@
 #pragma once
 
 #include "apps/checked_case.hpp"
+#include "core/interface/catalogue.hpp"
 #include "core/step/model.hpp"
 
 namespace riedel {
 
-/// `time.order`, `time.step`, `time.cfl`, `time.transfer`, `time.flip`, `time.xpic_order`, `time.objective_rate`.
-Keys step_keys();
+/// What "auto" means for rates: shares of the rate at which waves cross the specimen's width.
+struct StepDefaults {
+  double damping = 2.0;
+  double stress_filter = 2.0;
+};
+
+/// All keys of the section `time`.
+Keys step_keys(const StepDefaults& defaults = {});
 
 /// What these keys cannot be together.
-void check_step(const Values& values, std::vector<Finding>& errors);
+void check_step(const Values& values, const Catalogue& catalogue, const StepDefaults& defaults,
+                std::vector<Finding>& errors);
 
-/// What these keys say of a model.
+/// Whether the keys ask for the stress filter.
+bool filters_stresses(const Values& values, const StepDefaults& defaults = {});
+
+/// What these keys say of a model that has its scheme.
+/// @param crossing_rate at which waves cross the specimen's width at the start [1/s]
 template <int Dim>
-void set_step(Model<Dim>& model, const Values& values);
+void set_step(Model<Dim>& model, const Values& values, double crossing_rate, const StepDefaults& defaults = {});
 
 } // namespace riedel

@@ -7,14 +7,9 @@ namespace riedel {
 namespace {
 
 /// A number that the chosen transfer would not look at. Defaults pass: a run leaves them in its case.toml.
-void check_settings(const Values& v, double standard_flip, std::vector<Finding>& errors) {
+void check_settings(const Values& v, std::vector<Finding>& errors) {
   const std::string& transfer = v.text("time.transfer");
-  const double flip = v.number("time.flip");
   const std::int64_t order = v.integer("time.xpic_order");
-  if (transfer != "flip" && flip != standard_flip)
-    errors.push_back({{"time.flip", "time.transfer"},
-                      exact_text(flip) + " means nothing to \"" + transfer +
-                          "\", which blends no FLIP and PIC; leave it out, or take " + "time.transfer = \"flip\""});
   if (transfer != "xpic" && order != Model<2>().xpic_order)
     errors.push_back({{"time.xpic_order", "time.transfer"},
                       std::to_string(order) + " means nothing to \"" + transfer +
@@ -60,8 +55,8 @@ VelocityTransfer transfer_named(const std::string& name) {
   return all[static_cast<std::size_t>(found - transfer_names().begin())];
 }
 
-void check_transfer(const Values& values, const Catalogue& catalogue, double standard_flip, Findings& found) {
-  check_settings(values, standard_flip, found.errors);
+void check_transfer(const Values& values, const Catalogue& catalogue, Findings& found) {
+  check_settings(values, found.errors);
   check_spreading(values, catalogue, found);
 }
 

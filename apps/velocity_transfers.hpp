@@ -13,7 +13,6 @@ const std::vector<std::string>& transfer_names(); ///< flip, apic, tpic, xpic
 VelocityTransfer transfer_named(const std::string& name);
 
 /// Whether `time.transfer` goes with the scheme and with the other keys.
-/// @param standard_flip default of `time.flip`, which a case may hold whatever its transfer is
-void check_transfer(const Values& values, const Catalogue& catalogue, double standard_flip, Findings& found);
+void check_transfer(const Values& values, const Catalogue& catalogue, Findings& found);
 
 } // namespace riedel

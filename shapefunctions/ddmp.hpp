@@ -18,6 +18,7 @@ public:
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
   [[nodiscard]] bool spreads_points() const override { return false; } // its weights are hats
+  [[nodiscard]] bool slopes_follow_weights() const override { return false; }
   /// How near a point comes to the node, the filling of the cell above it, and 1 over the filled volume around it.
   [[nodiscard]] int node_columns() const override { return 3; }
   void prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& of_nodes) const override;

@@ -41,6 +41,10 @@ struct Few {
     lanes += b.lanes;
     return *this;
   }
+  Few& operator-=(const Few& b) {
+    lanes -= b.lanes;
+    return *this;
+  }
 };
 
 template <int Size>

@@ -7,9 +7,9 @@
 
 namespace riedel {
 
-enum class Phase { stencils, p2g, grid, g2p, kinematics, neighbours, averaging, law, sorting, other };
-constexpr std::array<std::string_view, 10> phase_names{"stencils",   "P2G",       "grid", "G2P",     "kinematics",
-                                                       "neighbours", "averaging", "law",  "sorting", "other"};
+enum class Phase { stencils, p2g, grid, g2p, kinematics, neighbours, averaging, law, filter, sorting, other };
+constexpr std::array<std::string_view, 11> phase_names{
+    "stencils", "P2G", "grid", "G2P", "kinematics", "neighbours", "averaging", "law", "filter", "sorting", "other"};
 
 /// The thread that drives the run measures, and waits for the others where a loop ends: its phases add up to the time
 /// of a step, whatever the number of threads.

@@ -37,6 +37,9 @@ public:
   /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
   /// (x_i − x_p) has an inverse, which APIC needs. Hats at a point have none on a line of nodes.
   [[nodiscard]] virtual bool spreads_points() const { return true; }
+  /// Whether its slopes are the gradients of its weights. If not, the forces on the nodes see other stresses than the
+  /// weights do, and the stress filter, which goes by the weights, is refused.
+  [[nodiscard]] virtual bool slopes_follow_weights() const { return true; }
 
   /// Whether hats are interpolated between the corners of a point's domain, so that a load on one of its faces belongs
   /// to the corners; or else hats are integrated over it as they are.

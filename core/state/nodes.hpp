@@ -34,11 +34,26 @@ struct alignas(Dim == 2 ? 32 : 64) NodeMotion {
 };
 static_assert(sizeof(NodeMotion<2>) == 32 && sizeof(NodeMotion<3>) == 64);
 
+/// What the points' fields leave on the nodes while they are smoothed, eight numbers at a node; empty without a filter.
+struct SmoothingNodes {
+  AlignedVector<Few<8>> sum;        ///< Σ_p N_ip V_p a_p
+  AlignedVector<Few<8>> term;       ///< the last term of a series
+  AlignedVector<Few<8>> total;      ///< the series so far
+  AlignedVector<double> per_volume; ///< 1/Σ_p N_ip V_p, 0 where no point is near [1/m³ or 1/m²]
+
+  void resize(Index count) {
+    for (AlignedVector<Few<8>>* rows : {&sum, &term, &total})
+      rows->assign(static_cast<std::size_t>(count), Few<8>(0.0));
+    per_volume.assign(static_cast<std::size_t>(count), 0.0);
+  }
+};
+
 template <int Dim>
 struct Nodes {
   AlignedVector<NodeSums<Dim>> sums;
   AlignedVector<NodeMotion<Dim>> motion;
   AlignedVector<NodeMotion<Dim>> filter; ///< working space of XPIC, empty without it
+  SmoothingNodes smoothing;              ///< working space of the stress filter, empty without it
 
   void resize(Index count) {
     sums.assign(static_cast<std::size_t>(count), {});

@@ -26,6 +26,7 @@ struct Points {
   Columns averaged{1};                     ///< non-local average of the scalar the law names
   Columns shear_strain{1};                 ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
   Columns work{1};                         ///< ∫ V_p σ:D dt, done on the point by its stress [J or J/m]
+  Columns expansion{0};                    ///< what the stress filter adds to tr L_p, none without it [1/s]
   Columns of_scheme{0};                    ///< what the interpolation scheme keeps for each point
   std::vector<Index> id;                   ///< number of the point at the start, kept when points are sorted
   std::vector<Index> place;                ///< where the point of a given id stands now: id[place[i]] = i
@@ -36,7 +37,7 @@ struct Points {
   void resize(Index size, int states);
 
   /// Every field but the numbering, for sorting and for checkpoints.
-  [[nodiscard]] std::array<Columns*, 16> fields() {
+  [[nodiscard]] std::array<Columns*, 17> fields() {
     return {&position,
             &velocity,
             &mass,
@@ -52,6 +53,7 @@ struct Points {
             &averaged,
             &shear_strain,
             &work,
+            &expansion,
             &of_scheme};
   }
 

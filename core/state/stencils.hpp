@@ -85,6 +85,7 @@ public:
       groups_[g].slope = slope_.data() + at * Dim;
     }
   }
+  [[nodiscard]] Index size() const { return static_cast<Index>(groups_.size()) * pack_size; } ///< points, rounded up
   const Columns* of_nodes = nullptr; ///< what the scheme's pre-pass left on the nodes; null without one
 
   /// From now on the first group is that of `first`, a multiple of eight.

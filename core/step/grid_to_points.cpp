@@ -30,8 +30,9 @@ void move(const Gathered<Dim>& sum, Points<Dim>& points, Index p, double flip, d
 
 /// XPIC has filtered the points' velocities, and FLIP's update of these is left.
 template <int Dim>
-double share_of_flip(const Model<Dim>& model) {
-  return model.transfer == VelocityTransfer::xpic ? 1.0 : model.flip;
+double share_of_flip(const Model<Dim>& model, double dt) {
+  if (model.transfer == VelocityTransfer::xpic) return 1.0;
+  return model.damping ? std::exp(-*model.damping * dt) : model.flip;
 }
 
 } // namespace
@@ -40,7 +41,7 @@ template <int Dim>
 void move_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   if (is_affine(model.transfer)) return affine_move_points(state, model, dt);
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  const double flip = share_of_flip(model);
+  const double flip = share_of_flip(model, dt);
   for_each_gathered<Use::values>(
       state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) { move(sum, body.points, p, flip, dt); });
 }
@@ -49,7 +50,7 @@ template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
-    deform(sum, body.points, p, model.locking, dt);
+    deform(sum, body.points, p, model, dt);
   });
 }
 
@@ -57,10 +58,10 @@ template <int Dim>
 void grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) {
   if (is_affine(model.transfer)) return affine_grid_to_points(state, model, dt);
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
-  const double flip = share_of_flip(model);
+  const double flip = share_of_flip(model, dt);
   for_each_gathered<Use::both>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     move(sum, body.points, p, flip, dt);
-    deform(sum, body.points, p, model.locking, dt);
+    deform(sum, body.points, p, model, dt);
   });
 }
 
@@ -69,7 +70,7 @@ void remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) {
   if (is_affine(model.transfer)) {
     affine_remap_velocity(state, model, dt);
   } else {
-    const double flip = share_of_flip(model);
+    const double flip = share_of_flip(model, dt);
     const PhaseClock::Lap lap(state.clock, Phase::g2p);
     parallel_for(state.nodes.size(), [&](Index i) { state.nodes.sums[i].momentum.setZero(); });
     for (Body<Dim>& body : state.bodies)
@@ -97,7 +98,7 @@ template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
-    deform(sum, body.points, p, model.locking, dt);
+    deform(sum, body.points, p, model, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
     move(body.points, p, way);

@@ -6,17 +6,23 @@
 
 namespace riedel {
 
-/// Calls `visit(body, stencil, p)` for every eight points, p the first of them. Blocks are spread over threads.
+/// Calls `visit(body, stencil, p)` for every eight points of a body, p the first of them. Blocks are spread over
+/// threads.
+template <int Dim, class Visit>
+void for_each_group(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Visit& visit) {
+  for_each_block(body.points.size(), [&](Range whole) {
+    for (Index b = whole.begin; b < whole.end; b += stencil_block) {
+      const Range block{b, std::min(b + stencil_block, whole.end)};
+      const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
+      for (Index p = b; p < block.end; p += pack_size) visit(body, stencils.group_of(p), p);
+    }
+  });
+}
+
+/// The same for all bodies.
 template <int Dim, class Visit>
 void for_each_group(State<Dim>& state, const Model<Dim>& model, const Visit& visit) {
-  for (Body<Dim>& body : state.bodies)
-    for_each_block(body.points.size(), [&](Range whole) {
-      for (Index b = whole.begin; b < whole.end; b += stencil_block) {
-        const Range block{b, std::min(b + stencil_block, whole.end)};
-        const Stencils<Dim>& stencils = body.stencils.of(*model.scheme, state.grid, body.points, block, state.clock);
-        for (Index p = b; p < block.end; p += pack_size) visit(body, stencils.group_of(p), p);
-      }
-    });
+  for (Body<Dim>& body : state.bodies) for_each_group(state, model, body, visit);
 }
 
 } // namespace riedel

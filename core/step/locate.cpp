@@ -56,6 +56,14 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
     start(*model.scheme, state.grid, body.points);
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
     body.way.resize(body.points.size());
+    if (model.stress_filter.on()) {
+      state.nodes.smoothing.resize(state.nodes.size());
+      if (body.points.expansion.components() == 0) {
+        body.points.expansion = Columns(1);
+        body.points.expansion.resize(body.points.size());
+      }
+      body.fields.assign(static_cast<std::size_t>(blocks_of(body.points.size()) * block_size), Few<8>(0.0));
+    }
     if (is_affine(model.transfer) && body.points.affine.components() == 0) {
       body.points.affine = Columns(Dim * Dim);
       body.points.affine.resize(body.points.size());

@@ -40,7 +40,7 @@ Pack mean_dilatation(const Body<Dim>& body, const std::vector<CellSum>& sums, In
 
 /// The third axis of plane strain does not take part, or the law would see a strain across the plane: hence 1/Dim.
 template <int Dim>
-void dilate(Points<Dim>& points, Index p, const Pack& mean, double dt) {
+void dilate(Points<Dim>& points, Index p, const Pack& mean, const StressFilter& filter, double dt) {
   PackMatrix<Dim> L;
   Pack trace(0.0);
   for (int i = 0; i < Dim; ++i) {
@@ -48,10 +48,9 @@ void dilate(Points<Dim>& points, Index p, const Pack& mean, double dt) {
     trace += L[i][i];
   }
   const Pack change = Pack(1.0 / Dim) * (mean - trace);
-  for (int i = 0; i < Dim; ++i) {
-    L[i][i] += change;
-    L[i][i].store(points.velocity_gradient[i * Dim + i] + p);
-  }
+  for (int i = 0; i < Dim; ++i) L[i][i] += change;
+  add_expansion<Dim>(points, p, filter, L); // it tells the points of a cell apart
+  for (int i = 0; i < Dim; ++i) { L[i][i].store(points.velocity_gradient[i * Dim + i] + p); }
   strain(L, points, p, dt);
 }
 
@@ -74,7 +73,7 @@ void average_dilatation(State<Dim>& state, const Model<Dim>& model, double dt) {
     add_up(body, state.cell_sums);
     for_each_block(body.points.size(), [&](Range block) {
       for (Index p = block.begin; p < block.end; p += pack_size)
-        dilate(body.points, p, mean_dilatation(body, state.cell_sums, p), dt);
+        dilate(body.points, p, mean_dilatation(body, state.cell_sums, p), model.stress_filter, dt);
     });
   }
 }

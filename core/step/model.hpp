@@ -24,6 +24,18 @@ enum class VelocityTransfer { flip, apic, tpic, xpic };
 /// What keeps nearly incompressible material from locking: nothing, or the mean dilatation of a cell.
 enum class Locking { none, f_bar };
 
+/// Lets fade what points carry and nodes do not see: in stresses, and slowly in volumes. See
+/// docs/theory/stress_filter.md.
+struct StressFilter {
+  double stress_rate = 0.0; ///< λ, at which such stresses fade [1/s]
+  double volume_rate = 0.0; ///< λ_J, at which such parts of ln J fade [1/s]
+  int order = 12;           ///< m of (I − S)^m: the greater, the shorter the waves that fade
+  int volume_axes = 3;      ///< the first so many axes take part in what is added to tr L: two in a slab between walls
+  int steps_between = 20;   ///< k: filtered in every k-th step, with k times the rates
+
+  [[nodiscard]] bool on() const { return stress_rate > 0.0 || volume_rate > 0.0; }
+};
+
 constexpr bool is_affine(VelocityTransfer transfer) {
   return transfer == VelocityTransfer::apic || transfer == VelocityTransfer::tpic;
 }
@@ -73,8 +85,11 @@ struct Model {
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
   VelocityTransfer transfer = VelocityTransfer::flip;
   double flip = 0.98; ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone
+  std::optional<double>
+      damping;        ///< [1/s]; if given, the share is e^(−damping Δt), so that steps of any size damp alike
   int xpic_order = 2; ///< m of XPIC(m)
   Locking locking = Locking::none;
+  StressFilter stress_filter;
   double cfl = 0.5;             ///< share of the stable time step taken [-]
   double fixed_time_step = 0.0; ///< [s]; 0: from the law's wave speed
 };

@@ -2,6 +2,7 @@
 
 #include "core/step/grid_to_points.hpp"
 #include "core/step/locking.hpp"
+#include "core/step/stress_filter.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
 #include "core/step/transfers/xpic.hpp"
@@ -13,6 +14,7 @@ void musl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   const double end = state.time + dt;
   points_to_grid(state, model);       // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
   find_cells(state, model);           // F-bar alone, before the points move
+  filter_stresses(state, model, dt);  // now and then, if asked for: σ_p and ln J_p without what no node sees
   advance_momentum(state, model, dt); // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   hold_nodes(state, end, dt);         // boundaries, reactions
   filter_velocities(state, model);    // XPIC alone: v_p without what the grid does not see

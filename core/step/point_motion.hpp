@@ -66,17 +66,27 @@ void strain(const std::type_identity_t<PackMatrix<Dim>>& L, Points<Dim>& points,
   (Pack::load(shear) + Pack(dt) * sqrt(deviatoric + deviatoric)).store(shear);
 }
 
+/// L_p with what the stress filter adds to its trace. The third axis of plane strain takes no part in that.
+template <int Dim>
+void add_expansion(const Points<Dim>& points, Index p, const StressFilter& filter, PackMatrix<Dim>& L) {
+  if (points.expansion.components() == 0) return;
+  const int axes = std::min(Dim, filter.volume_axes);
+  const Pack share = Pack(1.0 / axes) * Pack::load(points.expansion[0] + p);
+  for (int i = 0; i < axes; ++i) L[i][i] += share;
+}
+
 /// L_p = Σ_i v_i ⊗ ∇N_ip, and the strains with it, unless the locking cure is to change L_p first.
 template <int Dim>
-void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, Locking locking, double dt) {
+void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, const Model<Dim>& model, double dt) {
   PackMatrix<Dim> L;
   const PackMatrix<Dim> gradient = sum.gradient.vectors();
   for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) {
-      L[i][j] = gradient[j][i];
-      L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
-    }
-  if (locking == Locking::none) strain(L, points, p, dt);
+    for (int j = 0; j < Dim; ++j) L[i][j] = gradient[j][i];
+  const bool at_once = model.locking == Locking::none;
+  if (at_once) add_expansion<Dim>(points, p, model.stress_filter, L);
+  for (int i = 0; i < Dim; ++i)
+    for (int j = 0; j < Dim; ++j) L[i][j].store(points.velocity_gradient[i * Dim + j] + p);
+  if (at_once) strain(L, points, p, dt);
 }
 
 } // namespace riedel

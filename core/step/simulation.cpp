@@ -35,6 +35,19 @@ void check_state_columns(const State<Dim>& state) {
                        std::to_string(most_state_columns) + " at the most");
   }
 }
+
+/// Volumes that fade nearly as fast as stresses feed energy in.
+void check_filter(const StressFilter& filter, bool slopes_follow_weights) {
+  if (!filter.on()) return;
+  if (!slopes_follow_weights)
+    throw InputError("the stress filter does not go with a scheme whose slopes are not the gradients of its weights");
+  if (filter.order < 1 || filter.steps_between < 1)
+    throw InputError("the stress filter has the order " + std::to_string(filter.order) + " and works in every " +
+                     std::to_string(filter.steps_between) + " steps; allowed: 1 and more for both");
+  if (filter.volume_rate > 0.1 * (1.0 + 1e-12) * filter.stress_rate)
+    throw InputError("the filter's rate for volumes, " + short_text(filter.volume_rate) +
+                     " 1/s, is over a tenth of that for stresses, " + short_text(filter.stress_rate) + " 1/s");
+}
 } // namespace
 
 template <int Dim>
@@ -48,6 +61,7 @@ Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::mo
   locate_points(state_, model_);
   check_inside(state_, model_);
   survey_bodies();
+  check_filter(model_.stress_filter, model_.scheme->slopes_follow_weights());
   potential_at_start_ = potential_of_loads();
 }
 

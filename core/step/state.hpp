@@ -27,6 +27,7 @@ struct Body {
 
   SortSpace sort_space;          ///< working space
   std::vector<char> slab_strays; ///< working space: whether points of a slab touch rows that are not theirs
+  AlignedVector<Few<8>> fields;  ///< working space of the stress filter: a row for each point
 };
 
 /// A direction that is none of the axes: an index of the axis that says so.
@@ -80,6 +81,13 @@ struct StressShare {
   double work = 0.0; ///< Σ V σ:D Δt [J or J/m]
 };
 
+/// What rows of fields add up to over some points, by themselves and times each coordinate: Σ V_p (1, x, y …) a_p.
+template <int Dim>
+struct FieldMoments {
+  std::array<Few<8>, Dim + 1> fields;
+  Eigen::Matrix<double, Dim + 1, Dim + 1> weights; ///< Σ V_p (1, x, y …) ⊗ (1, x, y …)
+};
+
 /// What the points of a body in one cell add up to.
 struct CellSum {
   double volume = 0.0;    ///< Σ V_p [m³ or m²]
@@ -99,12 +107,15 @@ struct State {
   double boundary_work = 0.0; ///< done by driven boundaries since the start [J or J/m]
   double load_work = 0.0;     ///< done by surface tractions and body forces since the start [J or J/m]
   double internal_work = 0.0; ///< ∫ σ:D dV dt since the start [J or J/m]
+  double filter_work = 0.0;   ///< part of it that the stress filter's own strains did [J or J/m]
   MaterialReport report;      ///< summed since the start
 
-  std::vector<StressShare> shares;            ///< working space
-  std::vector<CellSum> cell_sums;             ///< working space of the locking cure, by cell
-  std::vector<AlignedVector<double>> moments; ///< working space of each thread in an affine transfer
-  PhaseClock clock;                           ///< for `riedel bench`
+  std::vector<StressShare> shares;              ///< working space
+  std::vector<CellSum> cell_sums;               ///< working space of the locking cure, by cell
+  std::vector<FieldMoments<Dim>> field_moments; ///< working space of the stress filter, by block
+  std::vector<double> filter_powers;            ///< working space of the stress filter, by block
+  std::vector<AlignedVector<double>> moments;   ///< working space of each thread in an affine transfer
+  PhaseClock clock;                             ///< for `riedel bench`
 };
 
 } // namespace riedel

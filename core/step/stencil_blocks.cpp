@@ -15,7 +15,7 @@ bool take_little_room(Index points, int max_nodes) {
 
 template <int Dim>
 void StencilBlocks<Dim>::resize(Index points, int max_nodes, std::optional<bool> keep) {
-  keeps_ = keep.value_or(take_little_room<Dim>(points, max_nodes));
+  keeps_ = always_keeps_ = keep.value_or(take_little_room<Dim>(points, max_nodes));
   max_nodes_ = max_nodes;
   buffers_.clear();
   kept_.resize(keeps_ ? points : 0, max_nodes);
@@ -24,6 +24,7 @@ void StencilBlocks<Dim>::resize(Index points, int max_nodes, std::optional<bool>
 template <int Dim>
 void StencilBlocks<Dim>::begin_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                                     PhaseClock& clock) {
+  keeps_ = always_keeps_;
   if (!keeps_)
     while (buffers_.size() < static_cast<std::size_t>(most_threads()))
       buffers_.emplace_back().resize(stencil_block, max_nodes_);
@@ -36,6 +37,16 @@ void StencilBlocks<Dim>::begin_step(const ShapeFunction<Dim>& scheme, const Grid
     for (Stencils<Dim>& buffer : buffers_) buffer.of_nodes = &of_nodes_;
   }
   if (keeps_) for_each_block(points.size(), [&](Range block) { scheme.evaluate(grid, points, block, kept_); });
+}
+
+template <int Dim>
+void StencilBlocks<Dim>::keep_for_this_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid,
+                                            const Points<Dim>& points, PhaseClock& clock) {
+  if (keeps_) return;
+  const PhaseClock::Lap lap(clock, Phase::stencils);
+  if (kept_.size() < points.size()) kept_.resize(points.size(), max_nodes_);
+  for_each_block(points.size(), [&](Range block) { scheme.evaluate(grid, points, block, kept_); });
+  keeps_ = true;
 }
 
 template <int Dim>

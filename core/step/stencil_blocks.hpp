@@ -24,13 +24,17 @@ public:
   /// At the start of a step: the scheme's pre-pass, room for each thread, and all stencils if they are kept.
   void begin_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                   PhaseClock& clock);
+  /// For work that asks for them many times: all stencils are kept until the next step begins.
+  void keep_for_this_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
+                          PhaseClock& clock);
 
   /// Of the points in `block`, at most `stencil_block`, the first number a multiple of eight.
   const Stencils<Dim>& of(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                           Range block, PhaseClock& clock);
 
 private:
-  bool keeps_ = false;
+  bool always_keeps_ = false;
+  bool keeps_ = false; ///< in this step
   int max_nodes_ = 0;
   Columns of_nodes_{0}; ///< of the scheme's pre-pass
   Stencils<Dim> kept_;

@@ -3,6 +3,7 @@
 #include "core/step/grid_to_points.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/locking.hpp"
+#include "core/step/stress_filter.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
 #include "core/step/transfers/xpic.hpp"
@@ -14,6 +15,7 @@ void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   keep_stencils(state, model);         // domains deform on the way, weights must not
   map_mass_and_momentum(state, model); // m_i, (mv)_i, v_i
   find_cells(state, model);            // F-bar alone
+  filter_stresses(state, model, dt);   // now and then, if asked for: σ_p and ln J_p without what no node sees
   hold_velocities(state, state.time);
   update_kinematics(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   average_dilatation(state, model, dt);   // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p

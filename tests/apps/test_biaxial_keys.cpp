@@ -152,13 +152,34 @@ TEST(BiaxialCheck, RefusesNumbersThatTheTransferWouldNotLookAt) {
   for (const char* transfer : {"time.transfer=apic", "time.transfer=tpic", "time.transfer=xpic"}) {
     EXPECT_THAT(errors({transfer, "time.flip=0.9"}),
                 AllOf(StartsWith("--set time.flip: 0.9 means nothing to"), HasSubstr("time.transfer = \"flip\"")));
+    EXPECT_THAT(errors({transfer, "time.damping=500"}),
+                AllOf(StartsWith("--set time.damping: 500.0 means nothing to"), HasSubstr("time.transfer = \"flip\"")));
     EXPECT_EQ(errors({transfer}), "no error");
-    EXPECT_EQ(errors({transfer, "time.flip=0.98"}), "no error") << "the case.toml that a run leaves";
+    EXPECT_EQ(errors({transfer, "time.flip=damping", "time.damping=auto"}), "no error") << "a run's own case.toml";
   }
+  EXPECT_THAT(errors({"time.flip=0.98", "time.damping=500"}), HasSubstr("give one of them"));
+  EXPECT_EQ(errors({"time.flip=0.98"}), "no error");
+  EXPECT_EQ(errors({"time.damping=0"}), "no error");
   for (const char* transfer : {"time.transfer=apic", "time.transfer=tpic", "time.transfer=flip"})
     EXPECT_THAT(errors({transfer, "time.xpic_order=3"}),
                 AllOf(StartsWith("--set time.xpic_order: 3 means nothing to"), HasSubstr("time.transfer = \"xpic\"")));
   EXPECT_EQ(errors({"time.transfer=xpic", "time.xpic_order=3"}), "no error");
+}
+
+TEST(BiaxialCheck, RefusesAStressFilterWhoseNumbersDoNotFit) {
+  EXPECT_THAT(
+      errors({"time.stress_filter=1e4", "time.volume_filter=2e3"}),
+      AllOf(StartsWith("--set time.volume_filter: 2000.0 1/s is more than a tenth of time.stress_filter, 10000.0"),
+            HasSubstr("allowed: up to 1000.0 1/s")));
+  EXPECT_THAT(errors({"time.stress_filter=-1"}), HasSubstr("--set time.stress_filter: "));
+  EXPECT_THAT(errors({"time.stress_filter=1e9"}),
+              AllOf(HasSubstr("is over one in a time step of"), HasSubstr("allowed: up to")));
+  EXPECT_THAT(errors({"time.stress_filter=0", "time.stress_filter_order=8"}), HasSubstr("a filter without a rate"));
+  EXPECT_THAT(errors({"time.stress_filter=0", "time.stress_filter_steps=8"}), HasSubstr("a filter without a rate"));
+  EXPECT_THAT(errors({"time.stress_filter_order=0"}), HasSubstr("allowed"));
+  EXPECT_THAT(errors({"time.stress_filter_steps=101"}), HasSubstr("allowed"));
+  EXPECT_EQ(errors({"time.stress_filter=0"}), "no error");
+  EXPECT_EQ(errors({"time.stress_filter=5e3", "time.volume_filter=0"}), "no error");
 }
 
 TEST(BiaxialCheck, RefusesApicWithASchemeThatDoesNotSpreadPoints) {

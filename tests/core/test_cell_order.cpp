@@ -24,7 +24,8 @@ std::vector<Columns*> columns_of(Points<Dim>& p) { // by hand, so that a field l
           &p.rate_norm,
           &p.averaged,
           &p.shear_strain,
-          &p.work};
+          &p.work,
+          &p.expansion};
 }
 
 /// Points anywhere on a grid; every other field tells which point and component it is.

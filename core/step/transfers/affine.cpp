@@ -85,7 +85,7 @@ void affine_grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt
       Gathered<Dim> sum;
       take_up<Transfer>(stencil, state, body.points, p, dt, sum);
       if constexpr (!Transfer::keeps_gradient) gather<Use::slopes>(stencil, state.nodes.motion, sum);
-      deform(sum, body.points, p, model.locking, dt);
+      deform(sum, body.points, p, model, dt);
     });
   });
 }
