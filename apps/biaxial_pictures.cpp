@@ -30,10 +30,12 @@ Plot history_plot(const std::vector<BiaxialRow>& rows, const Values& values) {
   Plot plot{.title = "Plane strain compression: " + title_of(values),
             .x_label = "u/h₀ [%]",
             .y_label = "mobilised friction angle φ [°]",
-            .series = {{.label = "", .x = {}, .y = {}}}};
+            .series = {{.label = "by the initial width", .x = {}, .y = {}},
+                       {.label = "by the present width", .x = {}, .y = {}}}};
   for (const BiaxialRow& row : rows) {
-    plot.series[0].x.push_back(100.0 * row.u_over_h);
+    for (Series& series : plot.series) series.x.push_back(100.0 * row.u_over_h);
     plot.series[0].y.push_back(row.angle);
+    plot.series[1].y.push_back(row.true_angle);
   }
   return plot;
 }

@@ -16,6 +16,8 @@ struct DrawnField {
 inline constexpr std::array drawn_fields{
     DrawnField{"void_ratio", "void ratio e [-]", 1.0, 0},
     DrawnField{"shear_strain", "shear strain γ [-]", 1.0, 0},
+    DrawnField{"mean_pressure", "mean pressure p [kPa]", 1e-3, 0}, // shows what the void ratio hides
+    DrawnField{"rate_norm", "norm of the strain rate ‖D‖ [1/s]", 1.0, 0},
 };
 
 } // namespace riedel

@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 /// What makes a folder one of results.
 constexpr std::array markers{"case.toml", "history.csv", "element.csv", "verify.csv", "campaign.json", "summary.json"};
 /// All that biaxial, element and verify leave, but for case.toml and frames; numbers and texts first.
-constexpr std::array results{"history.csv",  "element.csv",       "output.txt",      "summary.json",
-                             "points.pvd",   "domains.pvd",       "verify.md",       "verify.csv",
-                             "history.png",  "history.svg",       "void_ratio.png",  "shear_strain.png",
-                             "friction.png", "stress_strain.png", "compression.png", "shear.png",
-                             "p_q.png",      "cost.png",          "convergence.png"};
+constexpr std::array results{
+    "history.csv",       "element.csv",   "output.txt",     "summary.json",      "points.pvd",      "domains.pvd",
+    "verify.md",         "verify.csv",    "history.png",    "history.svg",       "void_ratio.png",  "shear_strain.png",
+    "mean_pressure.png", "rate_norm.png", "friction.png",   "stress_strain.png", "compression.png", "shear.png",
+    "p_q.png",           "cost.png",      "convergence.png"};
 constexpr std::size_t numbers_and_texts = 8; ///< of `results`: a run is nothing without them
 constexpr std::array all_series{"points", "domains"};
 

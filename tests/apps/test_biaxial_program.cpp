@@ -51,9 +51,10 @@ TEST_F(BiaxialProgram, LeavesEveryFileThatItPromises) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   std::vector<std::string> names;
   for (const auto& [name, content] : files_in(folder_ / "out")) names.push_back(name);
-  EXPECT_THAT(names, IsSupersetOf({"case.toml", "history.csv", "summary.json", "points.pvd", "domains.pvd",
-                                   "points/points_000000.vtp", "domains/domains_000000.vtp", "history.png",
-                                   "history.svg", "void_ratio.png", "shear_strain.png"}));
+  EXPECT_THAT(names,
+              IsSupersetOf({"case.toml", "history.csv", "summary.json", "points.pvd", "domains.pvd",
+                            "points/points_000000.vtp", "domains/domains_000000.vtp", "history.png", "history.svg",
+                            "void_ratio.png", "shear_strain.png", "mean_pressure.png", "rate_norm.png"}));
   for (const std::string& name : names) EXPECT_FALSE(name.ends_with(".part")) << name;
   EXPECT_THAT(outcome.out, HasSubstr("peak"));
   EXPECT_THAT(outcome.err, HasSubstr("100 %"));
@@ -165,7 +166,7 @@ TEST_F(BiaxialProgram, TimesOfFramesRiseAndAreTimesOfTheHistory) {
 
 TEST_F(BiaxialProgram, PicturesAreValidAndNotBlank) {
   const fs::path out = results("out", {"--set", "output.vtk=false"});
-  for (const char* name : {"history.png", "void_ratio.png", "shear_strain.png"}) {
+  for (const char* name : {"history.png", "void_ratio.png", "shear_strain.png", "mean_pressure.png", "rate_norm.png"}) {
     PngPixels picture(out / name);
     ASSERT_GT(picture.width(), 300) << name;
     ASSERT_GT(picture.height(), 300) << name;

@@ -164,7 +164,7 @@ TEST_F(Report, IsReadableInABrowserWideAndNarrow) {
     EXPECT_EQ(seen["curves"], 3) << width;
     EXPECT_EQ(seen["tables"], 3) << width;
     EXPECT_EQ(seen["rows"], 9) << width;
-    EXPECT_EQ(seen["images"], 6) << width << ": two fields";
+    EXPECT_EQ(seen["images"], 12) << width << ": four fields";
     EXPECT_LE(seen["overflow"], 0) << "the page scrolls sideways at " << seen["width"];
     EXPECT_EQ(seen["picked"], 1);
     EXPECT_EQ(seen["faded"], 2);
