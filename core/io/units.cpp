@@ -134,7 +134,7 @@ double scaled(std::string_view digits, int tens) {
   if (split != std::string_view::npos) {
     const std::size_t start = split + (digits[split + 1] == '+' ? 2 : 1);
     const auto [end, error] = std::from_chars(digits.data() + start, digits.data() + digits.size(), exponent);
-    if (error != std::errc{} || std::abs(exponent) > most) refuse_size();
+    if (error != std::errc{} || exponent < -most || exponent > most) refuse_size(); // abs(INT_MIN) is negative
   }
   const std::string text = std::string(digits.substr(0, split)) + "e" + std::to_string(exponent + tens);
   double value = 0.0;

@@ -95,9 +95,12 @@ std::optional<Vec<3>> by_enumeration(const Vec<3>& trial, double sin_psi, double
       C_r.col(a) = flows[active[a]];
       for (int b = 0; b < m; ++b) M(a, b) = normals[active[a]].dot(flows[active[b]]);
     }
-    const Eigen::FullPivLU<Eigen::MatrixXd> solver(M);
-    const Eigen::VectorXd flow = m > 0 ? Eigen::VectorXd(solver.solve(f)) : f;
-    if (m > 0 && (!solver.isInvertible() || flow.minCoeff() < 0.0)) continue;
+    Eigen::VectorXd flow = f;
+    if (m > 0) {
+      const Eigen::FullPivLU<Eigen::MatrixXd> solver(M);
+      flow = solver.solve(f);
+      if (!solver.isInvertible() || flow.minCoeff() < 0.0) continue;
+    }
     const Vec<3> sigma = trial - C_r * flow;
     bool admitted = true;
     for (std::size_t k = 0; k < 9; ++k) admitted = admitted && normals[k].dot(sigma) <= limits[k] + 1e-7;
