@@ -5,6 +5,7 @@
 #include "apps/memory_needed.hpp"
 #include "apps/memory_there.hpp"
 #include "apps/specimen_geometry.hpp"
+#include "apps/step_keys.hpp"
 
 #include <cmath>
 
@@ -32,6 +33,25 @@ std::string product(const std::vector<std::int64_t>& counts) {
 
 } // namespace
 
+namespace {
+
+/// What the rates are that a case leaves to the speed of waves.
+std::string rates_text(const Values& v, const Catalogue& catalogue) {
+  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  Model<2> model;
+  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
+  set_step(model, v, wave_speeds(v, *law).at_start / v.number("specimen.width"));
+  const std::string damping = model.transfer != VelocityTransfer::flip ? "none by FLIP and PIC"
+                              : model.damping ? "damping " + short_text(*model.damping) + " 1/s"
+                                              : "FLIP " + short_text(model.flip) + " by step";
+  const StressFilter& filter = model.stress_filter;
+  return damping + (filter.on() ? ", stresses filtered at " + short_text(filter.stress_rate) + " 1/s, volumes at " +
+                                      short_text(filter.volume_rate) + " 1/s"
+                                : ", stresses not filtered");
+}
+
+} // namespace
+
 std::string biaxial_outlook(const Values& v, const Catalogue& catalogue, ThreadRange threads) {
   std::vector<std::int64_t> cells = v.integers("grid.cells");
   const double width = v.number("specimen.width") / static_cast<double>(cells[0]),
@@ -40,6 +60,7 @@ std::string biaxial_outlook(const Values& v, const Catalogue& catalogue, ThreadR
   return "\n# What will run\n" + line("expected", expected_text(expected_work_of(v, catalogue))) +
          line("cells",
               product(cells) + " of " + short_text(1e3 * width) + " mm x " + short_text(1e3 * height) + " mm") +
+         line("rates", rates_text(v, catalogue)) +
          line("memory", "about " + bytes_text(memory_needed(v, catalogue).all())) +
          line("threads", threads_text(threads));
 }

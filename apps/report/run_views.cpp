@@ -33,6 +33,12 @@ ordered_json band_of(const RunResult& run) {
   return text_in(band, "kind", "none") != "none" ? band : ordered_json::object();
 }
 
+/// The part of the summary on stresses; empty where a run has none.
+ordered_json quality_of(const RunResult& run) {
+  const bool has = run.summary.is_object() && run.summary.contains("stress_quality");
+  return has ? run.summary.at("stress_quality") : ordered_json::object();
+}
+
 PageCell exponent(const ordered_json& json, const char* name) {
   const double x = figure_in(json, name);
   if (std::isnan(x)) return none;
@@ -88,12 +94,15 @@ Plot curves_of(Runs runs, const std::string& title) {
 PageTable band_table(Runs runs) {
   PageTable table{.caption =
                       "Strength, and the shear band at the end of each run. t_s: thickness, by the void ratio as the "
-                      "paper does it, and as the full width at half maximum of the rise of e, and of the rate ‖D‖.",
+                      "paper does it, and as the full width at half maximum of the rise of e, and of the rate ‖D‖. "
+                      "Scatter: of the pressure about its local mean in the band, which no curve shows; above 10 % the "
+                      "stresses there are unsound.",
                   .header = {"run", "φ peak [°]", "at u/h₀ [%]", "φ residual [°]", "band", "θ [°]", "t_s by e [mm]",
-                             "t_s by e / l_c", "t_s half max. of e [mm]", "t_s half max. of ‖D‖ [mm]", "e inside"},
+                             "t_s by e / l_c", "t_s half max. of e [mm]", "t_s half max. of ‖D‖ [mm]", "e inside",
+                             "scatter of p [%]", "without stress"},
                   .rows = {}};
   for (const RunResult& run : runs) {
-    const ordered_json band = band_of(run);
+    const ordered_json band = band_of(run), quality = quality_of(run);
     table.rows.push_back({{{run.label},
                            figure(run.summary, "phi_peak_deg", 1.0, 2),
                            figure(run.summary, "u_over_h_at_peak", 0.01, 2),
@@ -104,7 +113,9 @@ PageTable band_table(Runs runs) {
                            figure(band, "thickness_over_lc", 1.0, 1),
                            figure(band, "thickness_fwhm_m", 1e-3, 2),
                            figure(band, "thickness_rate_m", 1e-3, 2),
-                           figure(band, "void_ratio_inside", 1.0, 3)},
+                           figure(band, "void_ratio_inside", 1.0, 3),
+                           figure(quality, "pressure_scatter", 0.01, 1),
+                           figure(quality, "without_stress", 1.0, 0)},
                           run.name});
   }
   return table;

@@ -85,9 +85,12 @@ TEST(Sense, WarnsOfARunThatTakesMoreThanADay) {
 TEST(Sense, CheckTellsWhatARunIsExpectedToTake) {
   const TemporaryFolder folder;
   const Outcome check = run(folder, {"check"});
-  EXPECT_THAT(check.out, ContainsRegex("\n# What will run\n# expected: 2016 points, [0-9]+ steps of [0-9.e-]+ s, about "
-                                       "[0-9.]+ (s|min) on one thread\n# cells: 2016 .24 x 84. of 1.67 mm x 1.67 mm\n"
-                                       "# memory: about [0-9.]+ MB\n# threads: [0-9]+.*\n$"));
+  EXPECT_THAT(
+      check.out,
+      ContainsRegex("\n# What will run\n# expected: 2016 points, [0-9]+ steps of [0-9.e-]+ s, about "
+                    "[0-9.]+ (s|min) on one thread\n# cells: 2016 .24 x 84. of 1.67 mm x 1.67 mm\n"
+                    "# rates: damping [0-9.e+]+ 1/s, stresses filtered at [0-9.e+]+ 1/s, volumes at [0-9.e+]+ 1/s\n"
+                    "# memory: about [0-9.]+ MB\n# threads: [0-9]+.*\n$"));
   EXPECT_EQ(check.err, "");
   EXPECT_THAT(
       run(folder, {"check", "--set", "time.step=5e-5", "--set", "grid.cells=[8,28]", "--set", "nonlocal.length=0"}).err,
