@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <new>
 #include <omp.h>
 
 namespace {
@@ -22,6 +23,12 @@ void* take(std::size_t size, std::size_t alignment) {
 [[gnu::noinline]] void* operator new(std::size_t size) { return take(size, alignof(std::max_align_t)); }
 [[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   return take(size, static_cast<std::size_t>(alignment));
+}
+[[gnu::noinline]] void* operator new(std::size_t size,
+                                     const std::nothrow_t&) noexcept { // of the standard library's sorts
+  try {
+    return take(size, alignof(std::max_align_t));
+  } catch (const std::bad_alloc&) { return nullptr; }
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
