@@ -105,7 +105,7 @@ Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
   for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})
     check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
   check_imperfection(values, found.errors);
-  check_step(values, catalogue, {}, found.errors);
+  check_step(values, catalogue, found.errors);
   check_interpolation(values, catalogue, found.errors);
   check_transfer(values, catalogue, found);
   check_depth(values, found.errors);

@@ -72,10 +72,7 @@ double upper_velocity(const Points<Dim>& points, std::size_t in_layer, const Vec
 
 template <int Dim>
 CheapQuality cheap_quality(const Body<Dim>& specimen, const Values& values) {
-  const auto& cells = values.integers("grid.cells");
-  const auto per_cell = static_cast<std::size_t>(values.integer("specimen.points_per_cell"));
-  const std::size_t in_row = static_cast<std::size_t>(cells[0]) * per_cell,
-                    in_layer = in_row * static_cast<std::size_t>(cells[1]) * per_cell;
+  const auto [in_row, in_layer] = PointRows(values);
   return {.alternation = alternation(specimen, in_row, values.number("specimen.void_ratio")),
           .stressless = stressless(specimen.points, least_share * values.number("loading.confining_pressure")),
           .block_velocity = upper_velocity(specimen.points, in_layer, Turn(values).rotation.col(0))};

@@ -183,7 +183,7 @@ Findings check_element(const Values& v, const Catalogue& catalogue) {
   }
   if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
   if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
-    check_step(v, catalogue, element_step_defaults, found.errors);
+    check_step(v, catalogue, found.errors);
     check_interpolation(v, catalogue, found.errors);
     check_offered(v, catalogue, dimensions_of_element(v), found.errors);
     check_transfer(v, catalogue, found);

@@ -31,10 +31,6 @@ std::string product(const std::vector<std::int64_t>& counts) {
   return std::to_string(all) + " (" + factors + ")";
 }
 
-} // namespace
-
-namespace {
-
 /// What the rates are that a case leaves to the speed of waves.
 std::string rates_text(const Values& v, const Catalogue& catalogue) {
   const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));

@@ -112,10 +112,7 @@ double true_angle(double force, double width, const Values& values) {
 
 template <int Dim>
 double present_width(const Points<Dim>& points, const Values& values) {
-  const auto& cells = values.integers("grid.cells");
-  const auto per_cell = static_cast<std::size_t>(values.integer("specimen.points_per_cell"));
-  const std::size_t in_row = static_cast<std::size_t>(cells[0]) * per_cell,
-                    in_layer = in_row * static_cast<std::size_t>(cells[1]) * per_cell;
+  const auto [in_row, in_layer] = PointRows(values);
   const Vec<2> across = Turn(values).rotation.col(0);
   const auto place = [&](std::size_t id) {
     return across.dot(points.position_of(points.place[id]).template head<2>());

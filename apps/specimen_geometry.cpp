@@ -87,6 +87,13 @@ Grid<Dim> SpecimenGeometry<Dim>::grid() const {
   return grid;
 }
 
+PointRows::PointRows(const Values& values) {
+  const auto& cells = values.integers("grid.cells");
+  const auto per_cell = static_cast<std::size_t>(values.integer("specimen.points_per_cell"));
+  in_row = static_cast<std::size_t>(cells[0]) * per_cell;
+  in_layer = in_row * static_cast<std::size_t>(cells[1]) * per_cell;
+}
+
 template <int Dim>
 void fill_box(Points<Dim>& points, const Counts<Dim>& cells, const Vec<Dim>& cell, Index per_cell,
               const Vec<Dim>& corner, int states) {

@@ -40,6 +40,13 @@ struct SpecimenGeometry {
   [[nodiscard]] Grid<Dim> grid() const;
 };
 
+/// How the specimen's points are numbered: row by row along its width, and layer by layer of the depth.
+struct PointRows {
+  std::size_t in_row, in_layer;
+
+  explicit PointRows(const Values& values);
+};
+
 /// Fills a box from `corner` on with points, `per_cell` along each direction of a cell.
 template <int Dim>
 void fill_box(Points<Dim>& points, const Counts<Dim>& cells, const Vec<Dim>& cell, Index per_cell,

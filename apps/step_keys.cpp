@@ -24,8 +24,7 @@ std::string percent(double share) { return short_text(100.0 * share, 2) + " %"; 
 /// The rate that was given, or `otherwise` for "auto" [1/s].
 double rate(const Values& v, const char* key, double otherwise) { return v.is_text(key) ? otherwise : v.number(key); }
 
-void check_stress_filter(const Values& v, const Catalogue& catalogue, const StepDefaults& defaults,
-                         std::vector<Finding>& errors) {
+void check_stress_filter(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   const std::string of_stress = "time.stress_filter", of_volume = "time.volume_filter";
   const auto scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
   if (!scheme->slopes_follow_weights() && !v.is_text(of_stress) && v.number(of_stress) > 0.0)
@@ -39,7 +38,7 @@ void check_stress_filter(const Values& v, const Catalogue& catalogue, const Step
                           exact_text(v.number(of_stress)) +
                           " 1/s: volumes that fade faster than their stresses feed energy in; allowed: up to " +
                           exact_text(most_of_volume * v.number(of_stress)) + " 1/s"});
-  if (filters_stresses(v, defaults)) return;
+  if (filters_stresses(v)) return;
   const StressFilter standard;
   for (const auto& [key, usual] :
        {std::pair{"time.stress_filter_order", standard.order}, {"time.stress_filter_steps", standard.steps_between}})
@@ -128,13 +127,12 @@ Keys step_keys(const StepDefaults& defaults) {
       {"time.stress_filter_order", std::int64_t{standard.order}, "-", between(1, 60),
        "m of (I - S)^m: the greater, the shorter the waves that the filter takes, and the longer it takes"},
       {"time.stress_filter_steps", std::int64_t{standard.steps_between}, "-", between(1, 100),
-       "filter in every so many steps, with as many times the rates"},
+       "filter in every so many steps, as much as in all of them"},
   };
 }
 
-void check_step(const Values& values, const Catalogue& catalogue, const StepDefaults& defaults,
-                std::vector<Finding>& errors) {
-  check_stress_filter(values, catalogue, defaults, errors);
+void check_step(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  check_stress_filter(values, catalogue, errors);
   check_damping(values, errors);
   if (values.text("time.locking") == "f_bar" && values.text("time.order") == "usl")
     errors.push_back(
@@ -143,9 +141,7 @@ void check_step(const Values& values, const Catalogue& catalogue, const StepDefa
          "the cell; take time.order = \"musl\" or \"usf\""});
 }
 
-bool filters_stresses(const Values& v, const StepDefaults& defaults) {
-  return rate(v, "time.stress_filter", defaults.stress_filter) > 0.0;
-}
+bool filters_stresses(const Values& v) { return rate(v, "time.stress_filter", standard_shares.stress_filter) > 0.0; }
 
 template <int Dim>
 void set_step(Model<Dim>& model, const Values& v, double crossing_rate, const StepDefaults& defaults) {

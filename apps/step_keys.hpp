@@ -17,11 +17,10 @@ struct StepDefaults {
 Keys step_keys(const StepDefaults& defaults = {});
 
 /// What these keys cannot be together.
-void check_step(const Values& values, const Catalogue& catalogue, const StepDefaults& defaults,
-                std::vector<Finding>& errors);
+void check_step(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors);
 
 /// Whether the keys ask for the stress filter.
-bool filters_stresses(const Values& values, const StepDefaults& defaults = {});
+bool filters_stresses(const Values& values);
 
 /// What these keys say of a model that has its scheme.
 /// @param crossing_rate at which waves cross the specimen's width at the start [1/s]

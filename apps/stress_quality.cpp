@@ -3,16 +3,10 @@
 #include "core/base/parameters.hpp"
 
 #include <cmath>
-#include <functional>
 
 namespace riedel {
 
 namespace {
-
-/// Σ over some points, of a quantity and of its square about a local mean.
-struct Scatter {
-  double sum = 0.0, squares = 0.0;
-};
 
 /// What is left of a quantity at one point once the mean of its neighbourhood is taken away.
 double rest(std::span<const double> values, const QualityFields& f, std::size_t p, const QualitySettings& s) {
@@ -61,13 +55,13 @@ StressQuality measure_stress_quality(const QualityFields& f, const ShearBand& ba
   if (core.empty()) return quality;
   const double count = static_cast<double>(core.size());
   const auto scatter = [&](std::span<const double> values) {
-    Scatter sum;
+    double sum = 0.0, squares = 0.0;
     for (const std::size_t p : core) {
-      sum.sum += values[p];
+      sum += values[p];
       const double off = rest(values, f, p, settings);
-      sum.squares += off * off;
+      squares += off * off;
     }
-    return std::pair(sum.sum / count, std::sqrt(sum.squares / count));
+    return std::pair(sum / count, std::sqrt(squares / count));
   };
   const auto [pressure, of_pressure] = scatter(f.pressure);
   quality.pressure_scatter = of_pressure / std::abs(pressure);

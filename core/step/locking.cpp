@@ -50,7 +50,7 @@ void dilate(Points<Dim>& points, Index p, const Pack& mean, const StressFilter& 
   const Pack change = Pack(1.0 / Dim) * (mean - trace);
   for (int i = 0; i < Dim; ++i) L[i][i] += change;
   add_expansion<Dim>(points, p, filter, L); // it tells the points of a cell apart
-  for (int i = 0; i < Dim; ++i) { L[i][i].store(points.velocity_gradient[i * Dim + i] + p); }
+  for (int i = 0; i < Dim; ++i) L[i][i].store(points.velocity_gradient[i * Dim + i] + p);
   strain(L, points, p, dt);
 }
 

@@ -31,7 +31,7 @@ struct StressFilter {
   double volume_rate = 0.0; ///< λ_J, at which such parts of ln J fade [1/s]
   int order = 12;           ///< m of (I − S)^m: the greater, the shorter the waves that fade
   int volume_axes = 3;      ///< the first so many axes take part in what is added to tr L: two in a slab between walls
-  int steps_between = 20;   ///< k: filtered in every k-th step, with k times the rates
+  int steps_between = 20;   ///< k: filtered in every k-th step, as much as in k steps
 
   [[nodiscard]] bool on() const { return stress_rate > 0.0 || volume_rate > 0.0; }
 };
@@ -85,8 +85,8 @@ struct Model {
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
   VelocityTransfer transfer = VelocityTransfer::flip;
   double flip = 0.98; ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone
-  std::optional<double>
-      damping;        ///< [1/s]; if given, the share is e^(−damping Δt), so that steps of any size damp alike
+  /// [1/s]; if given, the share is e^(−damping Δt), so that steps of any size damp alike.
+  std::optional<double> damping;
   int xpic_order = 2; ///< m of XPIC(m)
   Locking locking = Locking::none;
   StressFilter stress_filter;

@@ -8,7 +8,7 @@ namespace riedel {
 
 /// With r = (I − Q)(I − S)^m (I − Q) a, where S smooths by the scheme's weights (core/step/smoothing.hpp) and Q gives
 /// the nearest linear field: σ_p ← σ_p − (1 − e^(−λ k Δt)) r_p of σ where the point carries stress, and from r of ln J
-/// what is to be added to tr L in this step. In every k-th step, once the points are on the grid; else nothing.
+/// what is added to tr L from this step to the next that filters. In every k-th step, once the points are on the grid.
 template <int Dim>
 void filter_stresses(State<Dim>& state, const Model<Dim>& model, double dt);
 

@@ -52,8 +52,8 @@ TEST(Plugin, HookesLawIsTheBuiltInLinearElasticOne) {
 TEST(Plugin, TellsWhatItBrings) {
   Catalogue all = full_catalogue();
   const LoadedPlugin loaded = load_plugin(library("bad_laws"), all);
-  EXPECT_THAT(loaded.brings,
-              ElementsAre("material throws", "material crashes", "material not_a_number", "material fails", "material throws_in_a_run"));
+  EXPECT_THAT(loaded.brings, ElementsAre("material throws", "material crashes", "material not_a_number",
+                                         "material fails", "material throws_in_a_run"));
   EXPECT_THAT(loaded.compiler, HasSubstr("."));
 }
 
