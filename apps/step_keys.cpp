@@ -19,7 +19,7 @@ StepFunction<Dim> step_named(const std::string& order) {
 constexpr StepDefaults standard_shares;
 constexpr double most_of_volume = 0.1; ///< of the rate of the stresses
 
-std::string percent(double share) { return short_text(100.0 * share, 2) + " %"; }
+std::string times(double share) { return short_text(share) + " times the rate"; }
 
 /// The rate that was given, or `otherwise` for "auto" [1/s].
 double rate(const Values& v, const char* key, double otherwise) { return v.is_text(key) ? otherwise : v.number(key); }
@@ -88,8 +88,8 @@ Keys step_keys(const StepDefaults& defaults) {
        "auto",
        "1/s",
        at_least(0),
-       "rate at which what the grid does not see of the points' velocities fades; auto: " + percent(defaults.damping) +
-           " of the rate at which waves cross the specimen's width; for flip alone",
+       "rate at which what the grid does not see of the points' velocities fades; auto: " + times(defaults.damping) +
+           " at which waves cross the specimen's width; for flip alone",
        {"auto"}},
       {"time.flip",
        "damping",
@@ -115,8 +115,8 @@ Keys step_keys(const StepDefaults& defaults) {
        defaults.stress_filter > 0.0 ? Value("auto") : Value(0.0),
        "1/s",
        at_least(0),
-       "rate at which stresses that no node sees fade; auto: " + percent(standard_shares.stress_filter) +
-           " of the rate at which waves cross the specimen's width; 0: they stay, as in the paper",
+       "rate at which stresses that no node sees fade; auto: " + times(standard_shares.stress_filter) +
+           " at which waves cross the specimen's width; 0: they stay, as in the paper",
        {"auto"}},
       {"time.volume_filter",
        "auto",
