@@ -188,7 +188,8 @@ TEST_F(Compare, GoesOnWhereItWasKilled) {
 }
 
 TEST_F(Compare, TellsOfWhatItHasWhenItIsInterrupted) {
-  Process process(folder_, all({"--schemes", "gimp,linear", "--set", "loading.final_strain=0.5", "--threads", "1"}));
+  Process process(folder_, all({"--schemes", "gimp,linear", "--set", "loading.final_strain=0.5", "--set",
+                                "loading.speed=0.01", "--threads", "1"}));
   while (process.running() && !fs::exists(out_ / "scheme=gimp" / "history.csv"))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   std::this_thread::sleep_for(std::chrono::milliseconds(50)); // until it listens
@@ -213,8 +214,8 @@ TEST_F(Compare, StopsWhenTheDiskIsFullAndKeepsWhatIsFinished) {
 }
 
 TEST_F(Compare, TakesACrashForAFailure) {
-  Process process(folder_,
-                  all({"--vary", "nonlocal.length=6e-3,0", "--set", "loading.final_strain=0.5", "--threads", "2"}));
+  Process process(folder_, all({"--vary", "nonlocal.length=6e-3,0", "--set", "loading.final_strain=0.5", "--set",
+                                "loading.speed=0.01", "--threads", "2"}));
   while (process.running() && !fs::exists(out_ / "length=0" / "history.csv"))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const pid_t victim = process_with("biaxial " + (out_ / "length=0" / "case.toml").string());

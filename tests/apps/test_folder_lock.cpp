@@ -104,7 +104,8 @@ TEST_F(HeldFolder, IsRefusedToEveryCommandAlsoWithForce) {
 }
 
 TEST_F(HeldFolder, OfACampaignIsRefusedToAnotherAndToCollect) {
-  Process first(folder_, all({"--schemes", "gimp,linear", "--set", "loading.final_strain=0.5", "--threads", "1"}));
+  Process first(folder_, all({"--schemes", "gimp,linear", "--set", "loading.final_strain=0.5", "--set",
+                              "loading.speed=0.01", "--threads", "1"}));
   while (first.running() && !fs::exists(out_ / "scheme=gimp" / "points.pvd"))
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(run_beside(all({"--schemes", "gimp,linear,cpdi"})).code, 2);
