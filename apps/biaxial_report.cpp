@@ -94,6 +94,10 @@ std::string biaxial_text(const ordered_json& s) {
   const double kinetic = figure_in(s, "kinetic_over_internal_max");
   text += "energy     kinetic over internal " +
           (std::isnan(kinetic) ? "- (from u/h0 = 0.5 % on)\n" : "at most " + short_text(kinetic, 2) + "\n");
+  if (!std::isnan(figure_in(s, "transfer_over_external")))
+    text += "           " + figure(s, "transfer_over_external", 100.0, 2, " %") +
+            " of the external work lost between points and nodes, " +
+            figure(s, "unaccounted_over_external", 100.0, 3, " %") + " not accounted for\n";
   return text + "time       " + figure(s, "wall_s", 1.0, 1, " s") + ", " +
          figure(s, "ns_per_point_step", 1.0, 0, " ns per point and step") + "\n";
 }

@@ -25,7 +25,8 @@ const std::vector<std::string> columns{"step",
                                        "filter_J_per_m",
                                        "alternation",
                                        "stressless",
-                                       "block_velocity_m_per_s"};
+                                       "block_velocity_m_per_s",
+                                       "transfer_J_per_m"};
 constexpr double swing_part = 0.01; ///< u/h0 at the end of a run over which the blocks' velocity is looked at
 constexpr double settled = 0.005;   ///< u/h0 before which the internal energy is too small to compare with
 } // namespace
@@ -80,19 +81,23 @@ void BiaxialRun<Dim>::add_row() {
   row.force = force_time_ > 0.0 ? force_sum_ / force_time_ : at_rest;
   row.angle = mobilised_angle(row.force, values_);
   const Energies energies = simulation_.energies();
-  row.energies = {energies.kinetic / depth_, energies.internal / depth_, energies.external / depth_};
+  row.energies = {.kinetic = energies.kinetic / depth_,
+                  .internal = energies.internal / depth_,
+                  .external = energies.external / depth_,
+                  .transfer = energies.transfer / depth_,
+                  .filter = energies.filter / depth_,
+                  .unaccounted = energies.unaccounted / depth_};
   row.time_step = simulation_.time_step();
   row.report = state.report;
   row.out_of_bounds = simulation_.out_of_bounds();
   row.true_angle = true_angle(row.force, present_width(state.bodies.front().points, values_), values_);
-  row.filter_work = state.filter_work / depth_;
   row.quality = cheap_quality(state.bodies.front(), values_);
-  history_->add(std::array{static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force,
-                           row.energies.kinetic, row.energies.internal, row.energies.external, row.time_step,
-                           static_cast<double>(row.report.substepped), static_cast<double>(row.report.low_pressure),
-                           static_cast<double>(row.report.separated), static_cast<double>(row.out_of_bounds),
-                           row.true_angle, row.filter_work, row.quality.alternation,
-                           static_cast<double>(row.quality.stressless), row.quality.block_velocity});
+  history_->add(std::array{
+      static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force, row.energies.kinetic,
+      row.energies.internal, row.energies.external, row.time_step, static_cast<double>(row.report.substepped),
+      static_cast<double>(row.report.low_pressure), static_cast<double>(row.report.separated),
+      static_cast<double>(row.out_of_bounds), row.true_angle, row.energies.filter, row.quality.alternation,
+      static_cast<double>(row.quality.stressless), row.quality.block_velocity, row.energies.transfer});
   rows_.push_back(row);
   force_sum_ = force_time_ = 0.0;
   next_row_ += values_.number("output.every_strain");
@@ -144,6 +149,10 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
   const auto peak = std::ranges::max_element(rows_, {}, &BiaxialRow::angle);
   const bool moved = state.step > 0;
   const auto once_moved = [&](double x) { return figure_json(moved ? x : std::nan("")); };
+  const auto of_external = [&](double Energies::*energy) {
+    const Energies& last = rows_.back().energies;
+    return once_moved(last.*energy / last.external);
+  };
   const double mass = std::accumulate(points.mass[0], points.mass[0] + points.size(), 0.0);
   double mass_on_grid = 0.0;
   for (const NodeSums<Dim>& node : state.nodes.sums) mass_on_grid += node.mass;
@@ -161,6 +170,9 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
           {"phi_residual_deg", figure_json(residual_angle(peak->u_over_h))},
           {"phi_true_end_deg", once_moved(rows_.back().true_angle)},
           {"kinetic_over_internal_max", figure_json(kinetic_over_internal())},
+          {"transfer_over_external", of_external(&Energies::transfer)},
+          {"filter_over_external", of_external(&Energies::filter)},
+          {"unaccounted_over_external", of_external(&Energies::unaccounted)},
           {"mass_error", once_moved(mass_on_grid / mass - 1.0)},
           {"evaluated_twice", state.report.evaluated_twice},
           {"substepped", state.report.substepped},

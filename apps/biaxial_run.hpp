@@ -21,8 +21,7 @@ struct BiaxialRow {
   double time_step = 0;                                ///< [s]
   MaterialReport report{};
   std::int64_t out_of_bounds = 0;
-  double true_angle = 0;  ///< by the present width [deg]
-  double filter_work = 0; ///< part of the internal energy that the stress filter's own strains made [J/m]
+  double true_angle = 0; ///< by the present width [deg]
   CheapQuality quality{};
 };
 

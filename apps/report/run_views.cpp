@@ -122,17 +122,20 @@ PageTable band_table(Runs runs) {
 }
 
 PageTable cost_table(Runs runs) {
-  PageTable table{.caption =
-                      "Energies at the end, per metre of depth, and what the run took. Kinetic over internal energy: "
-                      "the greatest value past u/h₀ = 0.5 %.",
-                  .header = {"run", "internal [J/m]", "external [J/m]", "kinetic/internal", "mass error", "points",
-                             "steps", "wall time [s]", "ns per point and step"},
-                  .rows = {}};
+  PageTable table{
+      .caption = "Energies at the end, per metre of depth, and what the run took. Kinetic over internal energy: "
+                 "the greatest value past u/h₀ = 0.5 %. Lost: what the nodes did not give back to the points; "
+                 "open: what no account has.",
+      .header = {"run", "internal [J/m]", "external [J/m]", "kinetic/internal", "lost/external [%]",
+                 "open/external [%]", "mass error", "points", "steps", "wall time [s]", "ns per point and step"},
+      .rows = {}};
   for (const RunResult& run : runs)
     table.rows.push_back({{{run.label},
                            last_of(run, "internal_J_per_m", 2),
                            last_of(run, "external_J_per_m", 2),
                            exponent(run.summary, "kinetic_over_internal_max"),
+                           figure(run.summary, "transfer_over_external", 0.01, 2),
+                           figure(run.summary, "unaccounted_over_external", 0.01, 3),
                            exponent(run.summary, "mass_error"),
                            figure(run.summary, "points", 1.0, 0),
                            figure(run.summary, "steps", 1.0, 0),

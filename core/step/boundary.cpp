@@ -142,13 +142,18 @@ void move_rigid_points(State<Dim>& state, double time, double dt) {
 template <int Dim>
 void hold_nodes(State<Dim>& state, double time, double dt) {
   for (HeldNodes<Dim>& held : state.held) {
+    const double speed_before = held.speed;
     held.speed = velocity_of(state.nodes, held, time);
     double impulse = 0.0;
     for (std::size_t k = 0; k < held.nodes.size(); ++k) {
       const Index i = held.nodes[k];
       NodeMotion<Dim>& motion = state.nodes.motion[i];
       const double v = held.share(k) * held.speed, change = v - held.along(motion.velocity);
-      impulse += held.share(k) * state.nodes.sums[i].mass * change;
+      const double mass = state.nodes.sums[i].mass, free = held.along(motion.velocity);
+      const double force = mass * held.along(motion.acceleration), change_of_force = mass * change / dt;
+      impulse += held.share(k) * mass * change;
+      state.node_power.start += change_of_force * held.share(k) * speed_before;
+      state.node_power.end += (force + change_of_force) * v - force * free;
       held.set(motion.velocity, v);
       held.add(motion.acceleration, change / dt);
     }
@@ -161,8 +166,13 @@ template <int Dim>
 void hold_velocities(State<Dim>& state, double time) {
   for (const HeldNodes<Dim>& held : state.held) {
     const double v = velocity_of(state.nodes, held, time);
-    for (std::size_t k = 0; k < held.nodes.size(); ++k)
-      held.set(state.nodes.motion[held.nodes[k]].velocity, held.share(k) * v);
+    for (std::size_t k = 0; k < held.nodes.size(); ++k) {
+      const Index i = held.nodes[k];
+      NodeMotion<Dim>& motion = state.nodes.motion[i];
+      const double change = held.share(k) * v - held.along(motion.velocity);
+      state.node_power.end += state.nodes.sums[i].mass * held.along(motion.acceleration) * change;
+      held.set(motion.velocity, held.share(k) * v);
+    }
   }
 }
 

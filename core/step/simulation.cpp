@@ -63,6 +63,7 @@ Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::mo
   survey_bodies();
   check_filter(model_.stress_filter, model_.scheme->slopes_follow_weights());
   potential_at_start_ = potential_of_loads();
+  kinetic_at_start_ = kinetic_energy();
 }
 
 template <int Dim>
@@ -72,6 +73,7 @@ void Simulation<Dim>::step() {
   locate_points(state_, model_);
   find_rigid_nodes(state_, *model_.scheme);
   model_.step(state_, model_, dt);
+  state_.node_work += 0.5 * dt * (state_.node_power.start + state_.node_power.end);
   move_scheme_columns(state_, model_, dt);
   state_.load_work += surface_work(state_, model_, dt) + body_work(state_, model_, dt);
   move_rigid_points(state_, state_.time + dt, dt);
@@ -126,12 +128,23 @@ double Simulation<Dim>::potential_of_loads() const {
 
 template <int Dim>
 Energies Simulation<Dim>::energies() const {
-  Energies now{.internal = state_.internal_work,
-               .external = state_.boundary_work + state_.load_work + potential_of_loads() - potential_at_start_};
+  Energies now{.kinetic = kinetic_energy(),
+               .internal = state_.internal_work,
+               .external = state_.boundary_work + state_.load_work + potential_of_loads() - potential_at_start_,
+               .filter = state_.filter_work};
+  const double gain = now.kinetic - kinetic_at_start_;
+  now.transfer = state_.node_work - gain;
+  now.unaccounted = now.external + now.filter - now.internal - now.transfer - gain;
+  return now;
+}
+
+template <int Dim>
+double Simulation<Dim>::kinetic_energy() const {
+  double sum = 0.0;
   for (const Body<Dim>& body : state_.bodies)
     for (Index p = 0; p < body.points.size(); ++p)
-      now.kinetic += 0.5 * body.points.mass[0][p] * body.points.velocity_of(p).squaredNorm();
-  return now;
+      sum += 0.5 * body.points.mass[0][p] * body.points.velocity_of(p).squaredNorm();
+  return sum;
 }
 
 template <int Dim>

@@ -8,8 +8,11 @@ namespace riedel {
 /// Energies at one moment [J, or J/m in plane strain].
 struct Energies {
   double kinetic = 0.0;
-  double internal = 0.0; ///< work of the stresses since the start
-  double external = 0.0; ///< work of platens, gravity, confining pressure and surface loads since the start
+  double internal = 0.0;    ///< work of the stresses since the start
+  double external = 0.0;    ///< work of platens, gravity, confining pressure and surface loads since the start
+  double transfer = 0.0;    ///< work of all forces on the nodes that did not become motion of the points: damping, loss
+  double filter = 0.0;      ///< part of the internal work that the stress filter's own strains did, and no force
+  double unaccounted = 0.0; ///< external + filter − internal − transfer − gain of kinetic energy
 };
 
 template <int Dim>
@@ -37,10 +40,11 @@ private:
   void survey_bodies();
   void follow_platens(double dt);
   [[nodiscard]] double potential_of_loads() const;
+  [[nodiscard]] double kinetic_energy() const;
 
   Model<Dim> model_;
   State<Dim> state_;
-  double time_step_ = 0.0, crossing_time_ = 0.0, potential_at_start_ = 0.0;
+  double time_step_ = 0.0, crossing_time_ = 0.0, potential_at_start_ = 0.0, kinetic_at_start_ = 0.0;
   std::int64_t out_of_bounds_ = 0;
   std::vector<Survey> surveys_; ///< working space
 };

@@ -88,6 +88,12 @@ struct FieldMoments {
   Eigen::Matrix<double, Dim + 1, Dim + 1> weights; ///< Σ V_p (1, x, y …) ⊗ (1, x, y …)
 };
 
+/// Power of all forces on the nodes, Σ_i m_i a_i·v_i [W or W/m].
+struct NodePower {
+  double start = 0.0; ///< with the velocities that the strains before came from
+  double end = 0.0;   ///< with those that the strains after come from
+};
+
 /// What the points of a body in one cell add up to.
 struct CellSum {
   double volume = 0.0;    ///< Σ V_p [m³ or m²]
@@ -108,9 +114,12 @@ struct State {
   double load_work = 0.0;     ///< done by surface tractions and body forces since the start [J or J/m]
   double internal_work = 0.0; ///< ∫ σ:D dV dt since the start [J or J/m]
   double filter_work = 0.0;   ///< part of it that the stress filter's own strains did [J or J/m]
+  double node_work = 0.0;     ///< ∫ Σ_i m_i a_i·v_i dt since the start: what the nodes gave the points [J or J/m]
+  NodePower node_power;       ///< in this step
   MaterialReport report;      ///< summed since the start
 
   std::vector<StressShare> shares;              ///< working space
+  std::vector<NodePower> node_powers;           ///< working space, by block of nodes
   std::vector<CellSum> cell_sums;               ///< working space of the locking cure, by cell
   std::vector<FieldMoments<Dim>> field_moments; ///< working space of the stress filter, by block
   std::vector<double> filter_powers;            ///< working space of the stress filter, by block

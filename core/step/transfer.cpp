@@ -17,6 +17,21 @@ bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, con
   });
 }
 
+/// Calls `add(i, power)` for every node, and sums the powers block by block.
+template <int Dim, class Add>
+NodePower sum_over_nodes(State<Dim>& state, const Add& add) {
+  return reduce_blocks(
+      state.nodes.size(), state.node_powers, NodePower{},
+      [&](Range range) {
+        NodePower power;
+        for (Index i = range.begin; i < range.end; ++i) add(i, power);
+        return power;
+      },
+      [](NodePower sum, const NodePower& part) {
+        return NodePower{.start = sum.start + part.start, .end = sum.end + part.end};
+      });
+}
+
 /// Of a node that carries motion.
 template <int Dim>
 double least_mass(const State<Dim>& state, const Model<Dim>& model) {
@@ -47,7 +62,7 @@ void map_mass_and_momentum(State<Dim>& state, const Model<Dim>& model) {
     sum_from_zero(state, model, [&](Body<Dim>& body) {
       return add_shares<Use::values>(state, model, body, put_mass_and_momentum<Dim>);
     });
-  advance_momentum(state, model, 0.0);
+  divide_momentum(state, model);
 }
 
 template <int Dim>
@@ -65,13 +80,17 @@ template <int Dim>
 void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
   const double least = least_mass(state, model);
-  parallel_for(state.nodes.size(), [&](Index i) {
+  const bool first = state.step == 0; // no strains before
+  state.node_power = sum_over_nodes(state, [&](Index i, NodePower& power) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
     NodeMotion<Dim>& motion = state.nodes.motion[i];
     if (sums.mass > least) {
       const double per_mass = 1.0 / sums.mass;
+      const Vec<Dim> before = first ? Vec<Dim>(per_mass * sums.momentum) : motion.velocity;
       motion.acceleration = per_mass * sums.force + model.gravity;
       motion.velocity = per_mass * sums.momentum + dt * motion.acceleration;
+      power.start += sums.mass * motion.acceleration.dot(before);
+      power.end += sums.mass * motion.acceleration.dot(motion.velocity);
     } else {
       motion = {};
     }
@@ -82,10 +101,17 @@ template <int Dim>
 void divide_momentum(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
   const double least = least_mass(state, model);
-  parallel_for(state.nodes.size(), [&](Index i) {
+  const NodePower power = sum_over_nodes(state, [&](Index i, NodePower& sum) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
-    if (sums.mass > least) state.nodes.motion[i].velocity = sums.momentum * (1.0 / sums.mass);
+    NodeMotion<Dim>& motion = state.nodes.motion[i];
+    if (sums.mass > least) {
+      motion.velocity = sums.momentum * (1.0 / sums.mass);
+      sum.end += motion.acceleration.dot(sums.momentum);
+    } else {
+      motion = {};
+    }
   });
+  state.node_power.end = power.end;
 }
 
 template void points_to_grid<2>(State<2>&, const Model<2>&);

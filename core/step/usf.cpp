@@ -17,14 +17,16 @@ void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   find_cells(state, model);            // F-bar alone
   filter_stresses(state, model, dt);   // now and then, if asked for: σ_p and ln J_p without what no node sees
   hold_velocities(state, state.time);
-  update_kinematics(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
-  average_dilatation(state, model, dt);   // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
-  update_stress(state, model, dt);        // d*, rotation, law
-  map_forces(state, model);               // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
-  advance_momentum(state, model, dt);     // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
-  hold_nodes(state, state.time + dt, dt); // boundaries, reactions
-  filter_velocities(state, model);        // XPIC alone: v_p without what the grid does not see
-  move_points(state, model, dt);          // v_p, x_p
+  const double power_before = state.node_power.end; // of the last forces with the velocities of these strains
+  update_kinematics(state, model, dt);              // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
+  average_dilatation(state, model, dt);             // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
+  update_stress(state, model, dt);                  // d*, rotation, law
+  map_forces(state, model);                         // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
+  advance_momentum(state, model, dt);               // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
+  hold_nodes(state, state.time + dt, dt);           // boundaries, reactions
+  filter_velocities(state, model);                  // XPIC alone: v_p without what the grid does not see
+  state.node_power.end = power_before;
+  move_points(state, model, dt); // v_p, x_p
 }
 
 template void usf_step<2>(State<2>&, const Model<2>&, double);
