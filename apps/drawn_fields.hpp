@@ -20,4 +20,7 @@ inline constexpr std::array drawn_fields{
     DrawnField{"rate_norm", "norm of the strain rate ‖D‖ [1/s]", 1.0, 0},
 };
 
+/// Those that PNG files show of several runs: void ratio, and what it hides.
+inline constexpr std::array pictured_fields{drawn_fields[0], drawn_fields[2], drawn_fields[3]};
+
 } // namespace riedel

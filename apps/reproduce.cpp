@@ -34,47 +34,74 @@ Figures wanted_figures(const Arguments& arguments) {
   return figures;
 }
 
-CaseFile paper_case(const Arguments& arguments, const std::string& scheme) {
+std::vector<Way> wanted_ways(const Arguments& arguments) {
+  std::vector<std::string> known;
+  for (const Way& way : all_ways()) known.push_back(way.name);
+  std::vector<Way> ways;
+  for (const std::string& name : arguments.names("way", known, known))
+    ways.push_back(*std::ranges::find(all_ways(), name, &Way::name));
+  return ways;
+}
+
+CaseFile paper_case(const Arguments& arguments, const Way& way) {
   CaseFile given = CaseFile::empty();
-  for (const std::string& setting :
-       {"scheme=" + scheme, std::string("output.plots=false"), std::string("output.frames_every_strain=0.01")})
-    given.override_with(setting, "riedel reproduce:");
+  std::vector<std::string> settings{"scheme=" + way.scheme, "output.plots=false", "output.frames_every_strain=0.01"};
+  settings.insert(settings.end(), way.settings.begin(), way.settings.end());
+  for (const std::string& setting : settings) given.override_with(setting, "riedel reproduce:");
   return arguments.with_settings(std::move(given));
 }
 
 struct Reproduction {
   std::vector<FigurePart> curves;
   std::vector<SpecimenFigure> specimens;
-  std::vector<Statement> statements;
+  std::vector<Told> told;
 };
 
-Reproduction reproduction_of(const PaperResults& results, const Catalogue& catalogue) {
-  Reproduction found{.curves = element_figures(results.figures(), catalogue), .specimens = {}, .statements = {}};
-  if (!found.curves.empty()) found.statements = element_statements(triaxial_end(catalogue));
-  for (FigurePart& part : curve_figures(results)) found.curves.push_back(std::move(part));
-  found.specimens = specimen_figures(results);
-  for (Statement& statement : biaxial_statements(results)) found.statements.push_back(std::move(statement));
+/// By the paper's figures; of each those of every way together.
+void sort_by_figure(std::vector<FigurePart>& parts) { std::ranges::stable_sort(parts, {}, &FigurePart::figure); }
+
+Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figures& figures,
+                             const Catalogue& catalogue) {
+  Reproduction found{.curves = element_figures(figures, catalogue), .specimens = {}, .told = {}};
+  std::vector<Statement> of_elements;
+  if (!found.curves.empty()) of_elements = element_statements(triaxial_end(catalogue));
+  const auto move_to = [](auto& all, auto&& some) {
+    for (auto& one : some) all.push_back(std::move(one));
+  };
+  for (const PaperResults& results : ways) {
+    found.told.push_back({results.way().title, of_elements});
+    move_to(found.told.back().statements, biaxial_statements(results));
+    move_to(found.curves, curve_figures(results));
+    move_to(found.specimens, specimen_figures(results));
+  }
+  move_to(found.curves, experiment_figures(ways));
+  sort_by_figure(found.curves);
   return found;
 }
 
-Page report(const std::string& command, const PaperResults& results, const Reproduction& found) {
+Page report(const std::string& command, const std::vector<PaperResults>& ways, const Reproduction& found) {
   Page page("Krzyżanowski, Wójcik and Tejchman (2020), reproduced");
-  page.facts(provenance(command, results.all()));
+  page.facts(provenance(command, ways.front().all()));
   page.heading("What the paper says, and what came out");
-  page.table(statement_table(found.statements));
-  int figure = 0;
-  for (const FigurePart& part : found.curves) {
-    if (part.figure != figure) page.heading("Figure " + std::to_string(figure = part.figure));
+  page.table(statement_table(found.told));
+  for (std::size_t i = 0; i < found.curves.size(); ++i) {
+    const FigurePart& part = found.curves[i];
+    const bool first = i == 0 || found.curves[i - 1].figure != part.figure;
+    const bool last = i + 1 == found.curves.size() || found.curves[i + 1].figure != part.figure;
+    if (first) page.heading("Figure " + std::to_string(part.figure));
     page.plot(part.plot, part.caption);
     for (const SpecimenFigure& specimens : found.specimens)
-      if (specimens.figure == part.figure)
-        page.pictures(field_pictures(specimens.runs, drawn_fields.front(), drawn_strain));
+      if (last && specimens.figure == part.figure)
+        for (const DrawnField& field : pictured_fields)
+          page.pictures(field_pictures(specimens.runs, field, drawn_strain));
   }
-  if (results.all().empty()) return page;
-  page.heading("The runs");
-  page.table(band_table(results.all()));
-  page.table(cost_table(results.all()));
-  page.table(settings_table(results.all()));
+  for (const PaperResults& results : ways) {
+    if (results.all().empty()) continue;
+    page.heading("The runs " + results.way().title);
+    page.table(band_table(results.all()));
+    page.table(cost_table(results.all()));
+    page.table(settings_table(results.all()));
+  }
   return page;
 }
 
@@ -83,9 +110,8 @@ struct PaperRuns {
   OutputFolder folder; ///< held until the figures are drawn
   std::vector<RunResult> results;
 };
-PaperRuns runs_of(const Arguments& arguments, const CaseFile& given, const Figures& figures, const fs::path& folder,
+PaperRuns runs_of(const Arguments& arguments, const std::vector<Variant>& variants, const fs::path& folder,
                   const Interrupt& interrupt) {
-  const std::vector<Variant> variants = paper_runs(given, figures);
   if (variants.empty()) return {.folder = OutputFolder(folder, arguments.command, true), .results = {}};
   const Plan plan = plan_of("The paper", arguments.command, variants);
   OpenCampaign campaign = open_campaign(folder, plan, arguments.force());
@@ -95,33 +121,33 @@ PaperRuns runs_of(const Arguments& arguments, const CaseFile& given, const Figur
   return {.folder = std::move(campaign.folder), .results = results};
 }
 
-void print(const std::vector<Statement>& statements) {
-  for (const Statement& s : statements)
-    std::cout << name_of(s.verdict) << std::string(13 - std::string(name_of(s.verdict)).size(), ' ') << s.where << ": "
-              << s.claim << "\n             " << s.measured
-              << (s.theory.empty() ? "" : "\n             theory: " + s.theory)
-              << (s.reason.empty() ? "" : "\n             " + s.reason) << "\n";
-}
-
 } // namespace
 
 int reproduce(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Figures figures = wanted_figures(arguments);
   const Catalogue catalogue = inventory().catalogue;
-  const std::string scheme = arguments.names("scheme", {"gimp"}, catalogue.in_2d.schemes.names()).front();
-  const CaseFile given = paper_case(arguments, scheme);
-  const Values values = biaxial_case(given, catalogue).values;
+  const std::vector<std::string> scheme = arguments.names("scheme", {}, catalogue.in_2d.schemes.names());
+  std::vector<Variant> variants;
+  std::vector<Way> ways = wanted_ways(arguments);
+  std::vector<Values> cases;
+  for (Way& way : ways) {
+    if (!scheme.empty()) way.scheme = scheme.front();
+    const CaseFile given = paper_case(arguments, way);
+    cases.push_back(biaxial_case(given, catalogue).values);
+    for (Variant& run : paper_runs(given, figures, way)) variants.push_back(std::move(run));
+  }
   std::optional<MarkedDocument> document;
   if (const auto path = arguments.text("document")) document.emplace(*path, "riedel reproduce");
-  const fs::path folder = arguments.out(fs::path("results/reproduce") / scheme);
+  const fs::path folder = arguments.out(fs::path("results/reproduce") / ways.front().scheme);
   const Interrupt interrupt;
 
-  const PaperRuns runs = runs_of(arguments, given, figures, folder, interrupt);
-  const PaperResults results(runs.results, figures, values);
+  const PaperRuns runs = runs_of(arguments, variants, folder, interrupt);
   if (interrupt) return interrupt.exit_code();
-  const Reproduction found = reproduction_of(results, catalogue);
-  write_atomically(folder / "verdicts.md", statement_markdown(found.statements));
+  std::vector<PaperResults> results;
+  for (std::size_t i = 0; i < ways.size(); ++i) results.emplace_back(runs.results, figures, cases[i], ways[i]);
+  const Reproduction found = reproduction_of(results, figures, catalogue);
+  write_atomically(folder / "verdicts.md", statement_markdown(found.told));
   std::vector<std::string> written{"verdicts.md"};
   try_to_write("the report", [&] {
     write_atomically(folder / "report.html", report(arguments.command, results, found).html());
@@ -130,10 +156,9 @@ int reproduce(const Arguments& arguments) {
   try_to_write("the pictures", [&] {
     for (std::string& name : write_figures(found.curves, found.specimens, folder)) written.push_back(std::move(name));
   });
-  if (document) document->write(statement_markdown(found.statements));
+  if (document) document->write(statement_markdown(found.told));
 
-  print(found.statements);
-  std::cout << "written to " << folder.string();
+  std::cout << statement_text(found.told) << "written to " << folder.string();
   for (const std::string& name : written) std::cout << (&name == &written.front() ? ": " : ", ") << name;
   std::cout << "\ntook "
             << duration_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << "\n";

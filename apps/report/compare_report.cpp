@@ -120,27 +120,31 @@ std::vector<std::string> write_compare_pictures(const std::string& title, Runs r
   if (curves.series.empty()) return {};
   write_png(folder / names.front(), curves);
   const double strain = common_strain(runs);
-  std::vector<Frame> frames;
-  std::vector<std::string> labels;
-  for (const RunResult* run : by_scheme(runs))
-    if (auto frame = readable_frame(*run, strain); frame && frame->has("void_ratio")) {
-      frames.push_back(std::move(*frame));
-      labels.push_back(run->label);
-    }
   const std::size_t most = panels_of_a_picture(runs);
-  for (std::size_t first = 0; first < frames.size(); first += most) {
-    std::vector<Panel> panels;
-    for (std::size_t i = first; i < std::min(first + most, frames.size()); ++i)
-      panels.push_back(panel_of(frames[i], labels[i]));
-    names.push_back("void_ratio_" + std::to_string(1 + first / most) + ".png");
-    write_field_pictures(folder / names.back(), panels,
-                         {.field = "void_ratio",
-                          .title = "",
-                          .subtitle = "",
-                          .label = "void ratio e [-], u/h₀ = " + with_digits(100.0 * strain, 1) + " %",
-                          .range = field_range(frames, drawn_fields.front()),
-                          .width = 2400,
-                          .height = 900});
+  for (const DrawnField& field : pictured_fields) {
+    std::vector<Frame> frames;
+    std::vector<std::string> labels;
+    for (const RunResult* run : by_scheme(runs))
+      if (auto frame = readable_frame(*run, strain); frame && frame->has(field.name)) {
+        frames.push_back(std::move(*frame));
+        labels.push_back(run->label);
+      }
+    for (std::size_t first = 0; first < frames.size(); first += most) {
+      std::vector<Panel> panels;
+      for (std::size_t i = first; i < std::min(first + most, frames.size()); ++i)
+        panels.push_back(panel_of(frames[i], labels[i]));
+      names.push_back(std::string(field.name) + "_" + std::to_string(1 + first / most) + ".png");
+      write_field_pictures(folder / names.back(), panels,
+                           {.field = field.name,
+                            .component = field.component,
+                            .unit = field.unit,
+                            .title = "",
+                            .subtitle = "",
+                            .label = std::string(field.label) + ", u/h₀ = " + with_digits(100.0 * strain, 1) + " %",
+                            .range = field_range(frames, field),
+                            .width = 2400,
+                            .height = 900});
+    }
   }
   return names;
 }

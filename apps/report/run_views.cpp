@@ -78,12 +78,12 @@ std::string with_digits(double x, int digits) {
   return text.data();
 }
 
-Plot curves_of(Runs runs, const std::string& title) {
+Plot curves_of(Runs runs, const std::string& title, const std::string& column) {
   Plot plot{.title = title, .x_label = "u/h₀ [%]", .y_label = "mobilised friction angle φ [°]", .series = {}};
   plot.width = 820;
   for (const RunResult& run : runs) {
-    if (!run.history.has("u_over_h") || !run.history.has("phi_mob_deg")) continue;
-    Series series{.label = run.label, .x = run.history["u_over_h"], .y = run.history["phi_mob_deg"]};
+    if (!run.history.has("u_over_h") || !run.history.has(column)) continue;
+    Series series{.label = run.label, .x = run.history["u_over_h"], .y = run.history[column]};
     for (double& x : series.x) x *= 100.0;
     series.id = run.name;
     plot.series.push_back(std::move(series));

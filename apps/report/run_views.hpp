@@ -17,7 +17,8 @@ using Runs = std::span<const RunResult>;
 std::string with_digits(double x, int digits);
 
 /// φ over u/h0 of all runs that have a history; their names are the ids.
-Plot curves_of(Runs runs, const std::string& title);
+/// @param column of the history: by the initial width, or phi_true_deg by the present one
+Plot curves_of(Runs runs, const std::string& title, const std::string& column = "phi_mob_deg");
 
 /// Peak, residual angle, and the band at the end.
 PageTable band_table(Runs runs);

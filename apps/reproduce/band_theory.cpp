@@ -52,6 +52,12 @@ double residual_angle(double critical_angle_deg, double theta_deg) {
   return outer_angle(std::sin(plane_strain_critical_angle(critical_angle_deg) * degree), theta_deg);
 }
 
+BandAngles band_angles(double friction_deg, double dilatancy_deg) {
+  return {.roscoe = 45.0 + 0.5 * dilatancy_deg,
+          .arthur = 45.0 + 0.25 * (friction_deg + dilatancy_deg),
+          .coulomb = 45.0 + 0.5 * friction_deg};
+}
+
 BandState band_1d(double u_over_h) {
   const auto above = std::ranges::lower_bound(band_1d_rows, u_over_h, {}, &BandState::u_over_h);
   if (above == band_1d_rows.begin()) return band_1d_rows.front();

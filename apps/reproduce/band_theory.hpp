@@ -14,6 +14,14 @@ double outer_angle(double traction_ratio, double theta_deg);
 /// φ of the specimen when the band is in critical simple shear: the least that it can bear at that inclination [deg].
 double residual_angle(double critical_angle_deg, double theta_deg);
 
+/// Inclinations that experiments are compared with, to the horizontal [deg].
+struct BandAngles {
+  double roscoe = 0.0;  ///< 45° + ψ/2, Roscoe (1970): no stretch along the band
+  double arthur = 0.0;  ///< 45° + (φ + ψ)/4, Arthur et al. (1977), Vardoulakis (1980)
+  double coulomb = 0.0; ///< 45° + φ/2, Coulomb: the plane that fails first
+};
+BandAngles band_angles(double friction_deg, double dilatancy_deg);
+
 /// The quasi-static one-dimensional non-local band, from an independent program (tests/reference/README.md): e0 = 0.55,
 /// 50 kPa, l_c = 1.5 mm, a band that starts at 55°.
 struct BandState {

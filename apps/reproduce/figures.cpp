@@ -47,7 +47,7 @@ std::vector<std::string> names_of_figure_7() {
 /// In Figure 8 the paper's case is one length, in Figure 10 one void ratio.
 std::vector<RunResult> renamed(std::vector<RunResult> runs, const std::string& label) {
   for (RunResult& run : runs)
-    if (run.name == paper_run) run.label = label;
+    if (run.name.starts_with(paper_run)) run.label = label;
   return runs;
 }
 std::vector<RunResult> runs_of_figure_8(const PaperResults& results) {
@@ -86,37 +86,128 @@ Plot void_ratios(const PaperResults& results) {
   return plot;
 }
 
+/// Ranges that are told of tests, none of which could be looked up in the original.
+constexpr double mean_grain = 0.5e-3, least_grains = 10.0, most_grains = 20.0; // [m], [-], [-]
+const std::string unchecked = "literature, unchecked";
+
+Series marks(const PaperResults& results, const std::string& what, Marker marker) {
+  return {.label = what + ", " + results.way().title, .x = {}, .y = {}, .style = Style::dots, .marker = marker};
+}
+
+FigurePart thickness_figure(const std::vector<PaperResults>& ways) {
+  Plot plot{.title = "Thickness of the band",
+            .x_label = "characteristic length l_c [mm]",
+            .y_label = "thickness t_s [mm]",
+            .series = {}};
+  for (const PaperResults& results : ways) {
+    Series by_e = marks(results, "half maximum of e", Marker::disc);
+    Series by_rate = marks(results, "half maximum of ‖D‖", Marker::diamond);
+    for (std::size_t i = 0; i < lengths().size(); ++i)
+      if (lengths()[i] > 0.0)
+        for (const auto& [series, figure] :
+             {std::pair{&by_e, "band.thickness_fwhm_m"}, {&by_rate, "band.thickness_rate_m"}}) {
+          series->x.push_back(1e3 * lengths()[i]);
+          series->y.push_back(1e3 * results.figure(length_runs()[i], figure));
+        }
+    plot.series.push_back(std::move(by_e));
+    plot.series.push_back(std::move(by_rate));
+  }
+  const Interval grains{1e3 * least_grains * mean_grain, 1e3 * most_grains * mean_grain};
+  plot.x_range = Interval{0.0, 4.5};
+  plot.y_range = Interval{0.0, 25.0};
+  plot.shaded = {{{0.0, 4.5}, grains, "10 to 20 d50 of 0.5 mm (" + unchecked + ")"}};
+  return {
+      8, "8c",
+      "Thickness against the characteristic length. Grey: what is told of plane strain tests on sands, 10 to 20 mean "
+      "grain diameters, from memory of the literature and not checked in the originals; the paper gives no "
+      "measured number.",
+      std::move(plot)};
+}
+
+FigurePart inclination_figure(const std::vector<PaperResults>& ways) {
+  Plot plot{.title = "Inclination of the band",
+            .x_label = "initial void ratio e₀ [-]",
+            .y_label = "θ to the horizontal [°]",
+            .series = {}};
+  const std::vector<double> void_ratios{0.55, 0.75}; // no band in the loosest
+  for (const PaperResults& results : ways) {
+    Series measured = marks(results, "θ", Marker::disc);
+    for (std::size_t i = 0; i < void_ratios.size(); ++i) {
+      measured.x.push_back(void_ratios[i]);
+      measured.y.push_back(results.figure(density_runs()[i], "band.inclination_deg"));
+    }
+    plot.series.push_back(std::move(measured));
+  }
+  const PaperResults& last = ways.back();
+  Series arthur{.label = "45° + (φ + ψ)/4", .x = {}, .y = {}, .style = Style::dots, .color = grey};
+  arthur.marker = Marker::cross;
+  for (std::size_t i = 0; i < void_ratios.size(); ++i) {
+    const std::string run = density_runs()[i];
+    const BandAngles angles = band_angles(last.figure(run, "phi_peak_deg"), last.dilatancy_at_peak(run));
+    if (std::isnan(angles.arthur)) continue;
+    constexpr double half = 0.04;
+    arthur.x.push_back(void_ratios[i]);
+    arthur.y.push_back(angles.arthur);
+    plot.shaded.push_back(
+        {{void_ratios[i] - half, void_ratios[i] + half}, {angles.roscoe, angles.coulomb}, "Roscoe to Coulomb"});
+  }
+  plot.series.push_back(std::move(arthur));
+  plot.x_range = Interval{0.5, 0.85};
+  plot.y_range = Interval{40.0, 80.0};
+  return {
+      10, "10c",
+      "Inclination at the end against the initial void ratio. Grey: from Roscoe's 45° + ψ/2 to Coulomb's 45° + φ/2, "
+      "with φ and ψ of the run (" +
+          last.way().title + ") at its peak. Of tests 55 to 65° are told (" + unchecked + ").",
+      std::move(plot)};
+}
+
 } // namespace
+
+std::vector<FigurePart> experiment_figures(const std::vector<PaperResults>& ways) {
+  std::vector<FigurePart> parts;
+  if (ways.front().figures().contains(8)) parts.push_back(thickness_figure(ways));
+  if (ways.front().figures().contains(10)) parts.push_back(inclination_figure(ways));
+  return parts;
+}
 
 std::vector<FigurePart> curve_figures(const PaperResults& results) {
   std::vector<FigurePart> parts;
   const Figures& figures = results.figures();
+  const std::string file = results.filtered() ? "_filtered" : "";
+  const std::string way = ", " + results.way().title + (results.filtered() ? "; by the present width." : ".");
+  const auto curves = [&](const std::vector<RunResult>& runs, const std::string& title) {
+    return curves_of(runs, title + ", " + results.way().title, results.filtered() ? "phi_true_deg" : "phi_mob_deg");
+  };
   if (figures.contains(7))
-    parts.push_back({7, "7",
-                     "Figure 7: three meshes, with the automatic time step and with 1e-6 s; theory beside them.",
-                     with_theory(curves_of(results.some(names_of_figure_7()), "Meshes and time steps"), results)});
+    parts.push_back({7, "7" + file,
+                     "Figure 7: three meshes, with the automatic time step and with 1e-6 s; theory beside them" + way,
+                     with_theory(curves(results.some(names_of_figure_7()), "Meshes and time steps"), results)});
   if (figures.contains(8))
-    parts.push_back({8, "8a", "Figure 8A: characteristic lengths.",
-                     with_theory(curves_of(runs_of_figure_8(results), "Characteristic lengths"), results)});
+    parts.push_back({8, "8a" + file, "Figure 8A: characteristic lengths" + way,
+                     with_theory(curves(runs_of_figure_8(results), "Characteristic lengths"), results)});
   if (figures.contains(9))
-    parts.push_back(
-        {9, "9", "Figure 9: void ratios at six points, named by where they started.", void_ratios(results)});
+    parts.push_back({9, "9" + file,
+                     "Figure 9: void ratios at six points, named by where they started, " + results.way().title + ".",
+                     void_ratios(results)});
   if (figures.contains(10)) {
-    Plot plot = curves_of(runs_of_figure_10(results), "Initial void ratios");
+    Plot plot = curves(runs_of_figure_10(results), "Initial void ratios");
     for (const double void_ratio : {0.55, 0.75, 0.90})
       plot.series.push_back(
           homogeneous_series(results.homogeneous(void_ratio), void_ratio == 0.55 ? "homogeneous" : ""));
-    parts.push_back({10, "10a", "Figure 10: initial void ratios, and the homogeneous test of each.", std::move(plot)});
+    parts.push_back(
+        {10, "10a" + file, "Figure 10: initial void ratios, and the homogeneous test of each" + way, std::move(plot)});
   }
   return parts;
 }
 
 std::vector<SpecimenFigure> specimen_figures(const PaperResults& results) {
   std::vector<SpecimenFigure> parts;
+  const std::string file = results.filtered() ? "_filtered" : "", way = ", " + results.way().title;
   if (results.figures().contains(8))
-    parts.push_back({8, "8b", "Figure 8B: deformed specimens", runs_of_figure_8(results)});
+    parts.push_back({8, "8b" + file, "Figure 8B: deformed specimens" + way, runs_of_figure_8(results)});
   if (results.figures().contains(10))
-    parts.push_back({10, "10b", "Figure 10: deformed specimens", runs_of_figure_10(results)});
+    parts.push_back({10, "10b" + file, "Figure 10: deformed specimens" + way, runs_of_figure_10(results)});
   return parts;
 }
 
@@ -129,25 +220,30 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
     write_png(folder / names.back(), part.plot);
   }
   for (const SpecimenFigure& part : specimens) {
-    std::vector<Frame> frames;
-    std::vector<std::string> labels;
-    for (const RunResult& run : part.runs)
-      if (auto frame = readable_frame(run, drawn_strain); frame && frame->has("void_ratio")) {
-        frames.push_back(std::move(*frame));
-        labels.push_back(run.label);
-      }
-    if (frames.empty()) continue;
-    std::vector<Panel> panels;
-    for (std::size_t i = 0; i < frames.size(); ++i) panels.push_back({&frames[i], labels[i], ""});
-    names.push_back("figure_" + part.name + ".png");
-    write_field_pictures(folder / names.back(), panels,
-                         {.field = "void_ratio",
-                          .title = "",
-                          .subtitle = "",
-                          .label = "void ratio e [-], u/h₀ = " + with_digits(100 * drawn_strain, 0) + " %",
-                          .range = field_range(frames, drawn_fields.front()),
-                          .width = 2000,
-                          .height = 900});
+    for (const DrawnField& field : pictured_fields) {
+      std::vector<Frame> frames;
+      std::vector<std::string> labels;
+      for (const RunResult& run : part.runs)
+        if (auto frame = readable_frame(run, drawn_strain); frame && frame->has(field.name)) {
+          frames.push_back(std::move(*frame));
+          labels.push_back(run.label);
+        }
+      if (frames.empty()) continue;
+      std::vector<Panel> panels;
+      for (std::size_t i = 0; i < frames.size(); ++i) panels.push_back({&frames[i], labels[i], ""});
+      const bool first = &field == &pictured_fields.front();
+      names.push_back("figure_" + part.name + (first ? "" : "_" + std::string(field.name)) + ".png");
+      write_field_pictures(folder / names.back(), panels,
+                           {.field = field.name,
+                            .component = field.component,
+                            .unit = field.unit,
+                            .title = "",
+                            .subtitle = "",
+                            .label = field.label + std::string(", u/h₀ = ") + with_digits(100 * drawn_strain, 0) + " %",
+                            .range = field_range(frames, field),
+                            .width = 2000,
+                            .height = 900});
+    }
   }
   return names;
 }

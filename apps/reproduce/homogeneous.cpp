@@ -31,16 +31,21 @@ public:
   [[nodiscard]] Rate<double, 1> rate(const State& at, const Sym<double>& D) const {
     return law_.rate(at.stress, {at.void_ratio}, D, norm(D));
   }
-  /// The rate of deformation that leaves σ_xx as it is, with D_yy = −1.
+  /// From here on it is drawn out, and unloads.
+  void turn_back() {
+    d_yy_ = 1.0;
+    d_xx_ = -0.3;
+  }
+  /// The rate of deformation that leaves σ_xx as it is, with D_yy = −1, or 1 on the way back.
   [[nodiscard]] Sym<double> direction(const State& at) const {
-    double a = d_xx_, b = a + 1e-3, f_a = rate(at, plane_rate(a, -1.0)).stress.m[0];
+    double a = d_xx_, b = a + 1e-3, f_a = rate(at, plane_rate(a, d_yy_)).stress.m[0];
     for (int i = 0; i < 50 && std::abs(b - a) > 1e-13; ++i) { // secants
-      const double f_b = rate(at, plane_rate(b, -1.0)).stress.m[0];
+      const double f_b = rate(at, plane_rate(b, d_yy_)).stress.m[0];
       if (f_b == f_a) break;
       const double next = b - f_b * (b - a) / (f_b - f_a);
       a = b, f_a = f_b, b = next;
     }
-    return plane_rate(b, -1.0);
+    return plane_rate(b, d_yy_);
   }
   /// Heun's step.
   void step() {
@@ -63,7 +68,7 @@ private:
 
   const GudehusBauer& law_;
   State state_;
-  double pressure_, d_xx_ = 0.3;
+  double pressure_, d_xx_ = 0.3, d_yy_ = -1.0;
 };
 
 using Plane = Mat<2>;
@@ -154,6 +159,21 @@ HomogeneousTest homogeneous_test(const Values& parameters, double void_ratio, do
     compression.step();
   }
   return test;
+}
+
+Unloading unloading_after(const Values& parameters, double void_ratio, double pressure, double from) {
+  const GudehusBauer law(parameters);
+  Compression compression(law, void_ratio, pressure);
+  double strain = 0.0; // logarithmic
+  for (; 1.0 - std::exp(-strain) < from; strain += increment) compression.step();
+  compression.turn_back();
+  Unloading path;
+  for (int step = 0; compression.angle() > 0.0; ++step, strain -= increment, compression.step())
+    if (step % steps_between_looks == 0) {
+      path.u_over_h.push_back(1.0 - std::exp(-strain));
+      path.angle.push_back(compression.angle());
+    }
+  return path;
 }
 
 } // namespace riedel

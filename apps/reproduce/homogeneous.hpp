@@ -29,4 +29,11 @@ struct HomogeneousTest {
 /// @param law the law's parameters   @param void_ratio e0   @param pressure [Pa]   @param end u/h0
 HomogeneousTest homogeneous_test(const Values& law, double void_ratio, double pressure, double end);
 
+/// The way back of such a specimen, which the blocks beside a band take while this softens.
+struct Unloading {
+  std::vector<double> u_over_h, angle; ///< [-], [deg], both falling
+};
+/// @param from u/h0 where it turns back   @return down to φ = 0
+Unloading unloading_after(const Values& law, double void_ratio, double pressure, double from);
+
 } // namespace riedel

@@ -2,12 +2,17 @@
 
 #include "apps/band_report.hpp"
 #include "apps/figure_json.hpp"
+#include "apps/reproduce/band_theory.hpp"
 #include "core/base/error.hpp"
 #include "core/io/vtk_reader.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <numbers>
 
 namespace riedel {
 
@@ -15,18 +20,30 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 } // namespace
 
-PaperResults::PaperResults(std::vector<RunResult> runs, Figures figures, const Values& paper_case)
-    : runs_(std::move(runs)), figures_(std::move(figures)), case_(paper_case) {}
+PaperResults::PaperResults(const std::vector<RunResult>& runs, Figures figures, const Values& paper_case, Way way)
+    : figures_(std::move(figures)), case_(paper_case), way_(std::move(way)) {
+  const auto is_of = [](const RunResult& run, const Way& one) {
+    return one.suffix.empty() ? std::ranges::none_of(all_ways(),
+                                                     [&](const Way& other) {
+                                                       return !other.suffix.empty() && run.name.ends_with(other.suffix);
+                                                     })
+                              : run.name.ends_with(one.suffix);
+  };
+  std::ranges::copy_if(runs, std::back_inserter(runs_), [&](const RunResult& run) { return is_of(run, way_); });
+  for (RunResult& run : runs_) // titles say it once for all
+    if (run.label.ends_with(way_.suffix)) run.label.resize(run.label.size() - way_.suffix.size());
+}
 
 const RunResult* PaperResults::done(const std::string& name) const {
-  const auto found = std::ranges::find(runs_, name, &RunResult::name);
+  const auto found = std::ranges::find(runs_, in_this_way(name), &RunResult::name);
   return found == runs_.end() || found->status != RunStatus::done ? nullptr : &*found;
 }
 
 std::vector<RunResult> PaperResults::some(const std::vector<std::string>& names) const {
   std::vector<RunResult> found;
   for (const std::string& name : names)
-    if (const auto run = std::ranges::find(runs_, name, &RunResult::name); run != runs_.end()) found.push_back(*run);
+    if (const auto run = std::ranges::find(runs_, in_this_way(name), &RunResult::name); run != runs_.end())
+      found.push_back(*run);
   return found;
 }
 
@@ -42,6 +59,70 @@ double PaperResults::figure(const std::string& run, const std::string& name) con
 double PaperResults::angle_at(const std::string& run, double u_over_h) const {
   const RunResult* result = done(run);
   return result == nullptr ? nothing : history_at(*result, "phi_mob_deg", u_over_h).value_or(nothing);
+}
+
+double PaperResults::true_angle_at(const std::string& run, double u_over_h) const {
+  const RunResult* result = done(run);
+  return result == nullptr ? nothing : history_at(*result, "phi_true_deg", u_over_h).value_or(nothing);
+}
+
+double PaperResults::dilatancy_at_peak(const std::string& run) const {
+  const double peak = figure(run, "u_over_h_at_peak");
+  if (!(peak > 0.0)) return nothing;
+  constexpr double before = 0.003;
+  const auto width = [&](double u_over_h) { // over the initial one: of one force
+    const double present = true_angle_at(run, u_over_h), initial = angle_at(run, u_over_h);
+    const auto ratio = [](double angle) {
+      const double s = std::sin(angle * std::numbers::pi / 180.0);
+      return (1.0 + s) / (1.0 - s);
+    };
+    return ratio(initial) / ratio(present);
+  };
+  const double shortened = std::log((1.0 - peak + before) / (1.0 - peak));
+  const double widened = std::log(width(peak) / width(peak - before));
+  return std::asin((widened - shortened) / (widened + shortened)) * 180.0 / std::numbers::pi;
+}
+
+double PaperResults::block_compression(const std::string& run, double u_over_h) const {
+  const RunResult* result = done(run);
+  const auto frame = result == nullptr ? std::nullopt : readable_frame(*result, u_over_h);
+  const auto band = band_at(run, u_over_h);
+  if (!frame || !band || !band->found || !frame->has("displacement")) return nothing;
+  const std::vector<double>& moved = frame->field("displacement").values;
+  double sum = 0.0;
+  for (const double side : {-1.0, 1.0}) { // v = a + b X + c Y over the block, by least squares
+    Eigen::Matrix3d of_places = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d of_moves = Eigen::Vector3d::Zero();
+    for (std::size_t p = 0; p < frame->points(); ++p) {
+      const Vec<2> x(frame->position[3 * p], frame->position[3 * p + 1]);
+      if (side * band->line.across(x) < band->thickness_fwhm_m) continue;
+      const Eigen::Vector3d place(1.0, x[0] - moved[3 * p], x[1] - moved[3 * p + 1]);
+      of_places += place * place.transpose();
+      of_moves += moved[3 * p + 1] * place;
+    }
+    sum -= 0.5 * of_places.ldlt().solve(of_moves)[2];
+  }
+  return sum;
+}
+
+double PaperResults::band_angle(const std::string& run, double u_over_h) const {
+  const double theta = figure(run, "band.inclination_deg");
+  return std::isnan(theta) ? nothing : band_1d_angle(u_over_h, theta);
+}
+
+double PaperResults::band_angle_at_equal_slip(const std::string& run, double u_over_h) const {
+  const double slipped = u_over_h - block_compression(run, u_over_h), theta = figure(run, "band.inclination_deg");
+  if (std::isnan(slipped) || std::isnan(theta)) return nothing;
+  constexpr double peak_of_band = 0.0139, end_of_band = 0.0499, step = 1e-5; // of the rows of band_1d
+  const Unloading back = unloading_after(case_.section("material"), case_.number("specimen.void_ratio"),
+                                         case_.number("loading.confining_pressure"), peak_of_band);
+  for (double strain = peak_of_band; strain < end_of_band; strain += step) {
+    const auto at = std::ranges::lower_bound(back.angle, band_1d(strain).angle, std::greater{});
+    if (at == back.angle.end()) return nothing;
+    if (strain - back.u_over_h[static_cast<std::size_t>(at - back.angle.begin())] >= slipped)
+      return band_1d_angle(strain, theta);
+  }
+  return nothing;
 }
 
 double PaperResults::distance(const std::string& a, const std::string& b, double from, double to) const {

@@ -13,9 +13,14 @@ inline constexpr double drawn_strain = 0.05;
 
 class PaperResults {
 public:
-  PaperResults(std::vector<RunResult> runs, Figures figures, const Values& paper_case);
+  /// @param runs of all ways; those of this one are kept
+  PaperResults(const std::vector<RunResult>& runs, Figures figures, const Values& paper_case, Way way);
 
   [[nodiscard]] Runs all() const { return runs_; }
+  [[nodiscard]] const Way& way() const { return way_; }
+  [[nodiscard]] bool filtered() const { return !way_.suffix.empty(); }
+  /// The name of a run in this way.
+  [[nodiscard]] std::string in_this_way(const std::string& name) const { return name + way_.suffix; }
   [[nodiscard]] const Figures& figures() const { return figures_; }
   [[nodiscard]] const Values& paper_case() const { return case_; }
   /// A run that came to its end; none if it did not, or was not asked for.
@@ -24,8 +29,16 @@ public:
 
   /// A figure of a run's summary, or of the band in it as "band.…"; NaN where there is none.
   [[nodiscard]] double figure(const std::string& run, const std::string& name) const;
-  /// φ at a strain; NaN where there is none [deg]
+  /// φ at a strain by the initial width, as the paper has it; NaN where there is none [deg]
   [[nodiscard]] double angle_at(const std::string& run, double u_over_h) const;
+  /// The same by the present width: that of the stress there is [deg]
+  [[nodiscard]] double true_angle_at(const std::string& run, double u_over_h) const;
+  /// ψ at the peak, sin ψ = −(ε̇1 + ε̇3)/(ε̇1 − ε̇3), from the width of the specimen over the last 0.3 % of u/h0 before
+  /// it; NaN where there is none [deg]
+  [[nodiscard]] double dilatancy_at_peak(const std::string& run) const;
+  /// Vertical shortening of the blocks on both sides of the band at a strain, from a plane through the displacements
+  /// of each; NaN where there is no band [-]
+  [[nodiscard]] double block_compression(const std::string& run, double u_over_h) const;
   /// The greatest distance of two curves between two strains; NaN where one is missing [deg]
   [[nodiscard]] double distance(const std::string& a, const std::string& b, double from, double to) const;
   /// The band at a strain, measured anew from the frame there.
@@ -35,6 +48,11 @@ public:
   /// where there is no frame [-]
   [[nodiscard]] double dilation_above(const std::string& run, double u_over_h) const;
 
+  /// φ of the one-dimensional band of the same inclination at a strain, and where its band has slipped as far: where
+  /// as much of the shortening is not the blocks'. NaN where there is no band [deg]
+  [[nodiscard]] double band_angle(const std::string& run, double u_over_h) const;
+  [[nodiscard]] double band_angle_at_equal_slip(const std::string& run, double u_over_h) const;
+
   /// The homogeneous test of the paper's sand at an initial void ratio, to the end of the paper's case.
   [[nodiscard]] const HomogeneousTest& homogeneous(double void_ratio) const;
 
@@ -42,6 +60,7 @@ private:
   std::vector<RunResult> runs_;
   Figures figures_;
   Values case_;
+  Way way_;
   mutable std::map<double, HomogeneousTest> homogeneous_; ///< made when first asked for
 };
 

@@ -50,7 +50,21 @@ std::vector<std::string> length_runs() {
 
 std::vector<std::string> density_runs() { return {paper_run, "e0=0.75", "e0=0.90"}; }
 
-std::vector<Variant> paper_runs(const CaseFile& given, const Figures& figures) {
+const std::vector<Way>& all_ways() {
+  static const std::vector<Way> ways{{.name = "paper",
+                                      .title = "as the paper did it",
+                                      .scheme = "gimp",
+                                      .suffix = "",
+                                      .settings = {"time.stress_filter=0", "time.flip=0.98"}},
+                                     {.name = "filtered",
+                                      .title = "filtered, at 0.025 m/s",
+                                      .scheme = "cpdi",
+                                      .suffix = ",filtered",
+                                      .settings = {"loading.speed=0.025", "time.damping=2e4"}}};
+  return ways;
+}
+
+std::vector<Variant> paper_runs(const CaseFile& given, const Figures& figures, const Way& way) {
   std::vector<Variant> runs;
   if (figures.contains(7) || figures.contains(8) || figures.contains(9) || figures.contains(10))
     add(runs, given, paper_run, paper_run, {{"grid.cells", "[24,84]"}, {"output.frames_every_strain", "0.002"}});
@@ -64,6 +78,10 @@ std::vector<Variant> paper_runs(const CaseFile& given, const Figures& figures) {
     for (const char* void_ratio : {"0.75", "0.90"})
       add(runs, given, std::string("e0=") + void_ratio, std::string("e₀ = ") + void_ratio,
           {{"specimen.void_ratio", void_ratio}});
+  for (Variant& run : runs) {
+    run.name += way.suffix;
+    run.label += way.suffix;
+  }
   return runs;
 }
 

@@ -24,7 +24,19 @@ const std::vector<double>& lengths();
 /// Figure 10, by rising e0.
 std::vector<std::string> density_runs();
 
+/// How the runs are made.
+struct Way {
+  std::string name;                  ///< on the command line
+  std::string title;                 ///< such as "as the paper did it"
+  std::string scheme;                ///< unless another is asked for
+  std::string suffix;                ///< of the names and labels of its runs
+  std::vector<std::string> settings; ///< "KEY=VALUE", which a user's own come after
+};
+/// "paper": stresses as the points have them, damped by the step. "filtered": without what no node sees, damped by
+/// time, and slow enough for the band after the peak.
+const std::vector<Way>& all_ways();
+
 /// The runs that these figures need, each a variant of the paper's case.
-std::vector<Variant> paper_runs(const CaseFile& given, const Figures& figures);
+std::vector<Variant> paper_runs(const CaseFile& given, const Figures& figures, const Way& way);
 
 } // namespace riedel

@@ -24,7 +24,16 @@ std::vector<Statement> element_statements(const CriticalState& end);
 std::vector<Statement> biaxial_statements(const PaperResults& results);
 std::vector<Statement> mesh_statements(const PaperResults& results); ///< those among them about Figure 7
 
-PageTable statement_table(const std::vector<Statement>& statements);
-std::string statement_markdown(const std::vector<Statement>& statements);
+/// The same statements about runs made in one way or the other.
+struct Told {
+  std::string way; ///< its title
+  std::vector<Statement> statements;
+};
+
+/// A row for each statement, with verdict and measurement for each way.
+PageTable statement_table(const std::vector<Told>& told);
+std::string statement_markdown(const std::vector<Told>& told);
+/// For a terminal.
+std::string statement_text(const std::vector<Told>& told);
 
 } // namespace riedel

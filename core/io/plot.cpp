@@ -12,6 +12,7 @@ namespace riedel {
 namespace {
 
 constexpr Color faint{0.90, 0.90, 0.90}, grey{0.45, 0.45, 0.45};
+constexpr Color shade{0.88, 0.88, 0.88};
 constexpr double thin = 0.8; ///< axes
 constexpr double dot_radius = 2.4;
 
@@ -46,6 +47,18 @@ void draw_ticks(Canvas& canvas, const PlotAxes& axes) {
     canvas.text({x, a.bottom + tick_length + 3 + small_font}, axes.x.labels[i], {small_font, ink, Anchor::middle});
   }
   canvas.line({{a.left, a.top}, {a.left, a.bottom}, {a.right, a.bottom}}, axis);
+}
+
+void draw_shaded(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
+  const Box& a = axes.area;
+  for (const ShadedBox& box : plot.shaded) {
+    const auto across = [&](double x) { return std::clamp(axes.across(axes.x.part(x)), a.left, a.right); };
+    const auto down = [&](double y) { return std::clamp(axes.down(axes.y.part(y)), a.top, a.bottom); };
+    const Box place{across(box.x.low), down(box.y.high), across(box.x.high), down(box.y.low)};
+    if (!(place.width() > 0.0) || !(place.height() > 0.0)) continue;
+    canvas.rectangle(place, shade);
+    canvas.text({place.left + gap, place.top + small_font + 2}, box.label, {small_font, grey});
+  }
 }
 
 void draw_axes(Canvas& canvas, const PlotLayout& l) {
@@ -118,6 +131,7 @@ void draw_legend(Canvas& canvas, const PlotLayout& layout) {
 }
 
 void draw(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
+  draw_shaded(canvas, plot, layout.axes);
   draw_axes(canvas, layout);
   draw_references(canvas, plot, layout);
   draw_curves(canvas, layout.curves, layout.axes.area);

@@ -33,12 +33,19 @@ struct ReferenceLine {
   std::string label; ///< stands on the line, where no curve passes
 };
 
+/// A grey area behind the curves, for instance a range of the literature. Sides beyond the axes are cut.
+struct ShadedBox {
+  Interval x, y;
+  std::string label; ///< stands at its upper left corner
+};
+
 /// Texts that are too long for their place go on in the next line. A legend stands among the curves, else beside them,
 /// else, in columns, beneath them, where the sheet becomes as much higher as it needs.
 struct Plot {
   std::string title, x_label, y_label; ///< UTF-8; with the unit, as in "mobilised friction angle φ [°]"
   std::vector<Series> series;
   std::vector<ReferenceLine> references = {};
+  std::vector<ShadedBox> shaded = {};
   bool log_x = false, log_y = false;                  ///< decimal logarithm; values that have none interrupt the curve
   std::optional<Interval> x_range = {}, y_range = {}; ///< from the data if not given; curves are cut at the axes
   double width = 640, height = 440;                   ///< without the legend beneath; a PNG has 2.5 pixels for each

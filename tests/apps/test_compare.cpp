@@ -34,8 +34,11 @@ TEST_F(Compare, LeavesAFolderForEveryRunAndARowInTheTable) {
   }
   EXPECT_EQ(rows[1].at("scheme"), "gimp");
   EXPECT_EQ(rows[1].at("nonlocal.length"), "6e-3");
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("linear, length = 6e-3  peak "),
-                                 HasSubstr("results.csv, report.html, curves.png, void_ratio_1.png\n")));
+  EXPECT_THAT(
+      outcome.out,
+      AllOf(
+          HasSubstr("linear, length = 6e-3  peak "),
+          HasSubstr("results.csv, report.html, curves.png, void_ratio_1.png, mean_pressure_1.png, rate_norm_1.png\n")));
   for (const char* picture : {"curves.png", "void_ratio_1.png"})
     EXPECT_THAT(file_content(out_ / picture), StartsWith("\x89PNG"));
   EXPECT_THAT(outcome.err, HasSubstr("4 of 4 runs"));

@@ -82,8 +82,39 @@ TEST(Statements, AreDecidedByWhatIsThere) {
   EXPECT_EQ(rising({1.0, missing, 2.0, 1.95, 3.0}, 0.1), Verdict::agrees);
   EXPECT_EQ(rising({1.0, 2.0, 1.5}, 0.1), Verdict::differs);
   EXPECT_EQ(rising({1.0, missing, 2.0}, 0.1), Verdict::open);
-  EXPECT_THAT(statement_markdown({{.where = "a|b", .claim = "c", .measured = "", .theory = "", .reason = ""}}),
-              HasSubstr("\n| a\\|b | c | open |  |  |"));
+  const Statement first{.where = "a|b", .claim = "c", .measured = "1", .theory = "t", .reason = "r"};
+  EXPECT_THAT(statement_markdown({{"", {first}}}), HasSubstr("\n| a\\|b | c | open | 1 | t | r |"));
+}
+
+TEST(Statements, OfTwoWaysStandSideBySide) {
+  const Statement first{.where = "a", .claim = "c", .measured = "1", .theory = "t", .reason = "r"};
+  Statement second = first;
+  second.measured = "2", second.verdict = Verdict::agrees, second.reason = "";
+  const std::vector<Told> told{{"one way", {first}}, {"another", {second}}};
+  EXPECT_EQ(statement_markdown(told),
+            "| where | the paper says | one way | measured | another | measured | theory | reason |\n"
+            "|---|---|---|---|---|---|---|---|\n| a | c | open | 1 | agrees | 2 | t | r |\n");
+  EXPECT_THAT(statement_text(told), AllOf(HasSubstr("a: c\n"), HasSubstr("open       1, one way\n"),
+                                          HasSubstr("agrees     2, another\n"), HasSubstr("theory: t\n")));
+}
+
+TEST(BandTheory, HasTheInclinationsThatTestsAreComparedWith) {
+  const BandAngles angles = band_angles(55.0, 20.0);
+  EXPECT_DOUBLE_EQ(angles.roscoe, 55.0);
+  EXPECT_DOUBLE_EQ(angles.arthur, 63.75);
+  EXPECT_DOUBLE_EQ(angles.coulomb, 72.5);
+}
+
+/// Sand unloads steeply: from the peak most of the strain stays.
+TEST(HomogeneousTest, UnloadsFromWhereTheBandTakesOver) {
+  const Unloading path = unloading_after(Values(GudehusBauer::parameters()), 0.55, 50e3, 0.0139);
+  EXPECT_NEAR(path.u_over_h.front(), 0.0139, 2e-5);
+  EXPECT_NEAR(path.angle.front(), 59.07, 0.1);
+  EXPECT_TRUE(std::ranges::is_sorted(path.angle, std::greater{}));
+  const double at_33 =
+      interpolate({path.angle.rbegin(), path.angle.rend()}, {path.u_over_h.rbegin(), path.u_over_h.rend()}, 33.0);
+  EXPECT_GT(at_33, 0.007);
+  EXPECT_LT(at_33, 0.0125);
 }
 
 class Reproduce : public testing::Test {
@@ -102,8 +133,8 @@ TEST_F(Reproduce, DrawsTheElementTestsAndPutsTheVerdictIntoADocument) {
       folder_.file("paper.md", "# Paper\n<!-- riedel reproduce -->\nold\n<!-- riedel reproduce ends -->\nend\n");
   const Outcome outcome = reproduce({"--figure", "2,5", "--document", document});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              AllOf(HasSubstr("agrees       Figs. 2–5"), HasSubstr("figure_2a.png, figure_2b.png, figure_5a_200.png")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("Figs. 2–5"), HasSubstr("  agrees     triaxial, 500 kPa"),
+                                 HasSubstr("figure_2a.png, figure_2b.png, figure_5a_200.png")));
   EXPECT_THAT(file_content(out_ / "figure_2b.png"), testing::StartsWith("\x89PNG"));
   EXPECT_FALSE(fs::exists(out_ / "figure_3.png"));
   EXPECT_THAT(file_content(document),
@@ -119,18 +150,25 @@ TEST_F(Reproduce, RunsAFigureAndLeavesOpenWhatTheRunsDoNotReach) {
                     "--set",    "loading.ramp_time=1e-3"};
   const Outcome outcome = reproduce(words);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("e₀ 0.75: peak 40°"), HasSubstr("open         Fig. 10: e₀ 0.75: θ = 50°"),
-                                 HasSubstr("figure_10a.png")));
-  for (const char* name : {"24x84", "e0=0.75", "e0=0.90"})
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("e₀ 0.75: peak 40°"), HasSubstr("Fig. 10: e₀ 0.75: θ = 50°\n  open"),
+                    HasSubstr("figure_10a.png"), HasSubstr("figure_10a_filtered.png"), HasSubstr("figure_10c.png")));
+  for (const char* name : {"24x84", "e0=0.75", "e0=0.90", "24x84,filtered", "e0=0.90,filtered"})
     EXPECT_TRUE(fs::exists(out_ / name / "summary.json")) << name;
   const auto kept = fs::last_write_time(out_ / "24x84" / "summary.json");
   EXPECT_EQ(reproduce(words).code, 0);
   EXPECT_EQ(fs::last_write_time(out_ / "24x84" / "summary.json"), kept) << "what has run does not run again";
+  const std::string as_run = file_content(out_ / "24x84,filtered" / "case.toml");
+  EXPECT_THAT(as_run, AllOf(HasSubstr("scheme = \"cpdi\""), HasSubstr("speed = 0.5"), HasSubstr("damping = 20000")))
+      << "what a user sets comes last";
+  EXPECT_THAT(file_content(out_ / "24x84" / "case.toml"),
+              AllOf(HasSubstr("scheme = \"gimp\""), HasSubstr("flip = 0.98"), HasSubstr("stress_filter = 0")));
   EXPECT_THAT(reproduce({"--figure", "9"}).err, HasSubstr("holds another campaign"));
 }
 
 TEST_F(Reproduce, SaysWhatIsWrong) {
   EXPECT_THAT(reproduce({"--figure", "6"}).err, HasSubstr("--figure 6: unknown"));
+  EXPECT_THAT(reproduce({"--way", "slow"}).err, HasSubstr("--way slow: unknown"));
   EXPECT_THAT(reproduce({"--scheme", "gimpo"}).err, HasSubstr("--scheme gimpo: unknown (did you mean 'gimp'?)"));
   EXPECT_THAT(reproduce({"--set", "specimen.wdth=1"}).err, HasSubstr("did you mean 'specimen.width'?"));
   const std::string document = folder_.file("none.md", "nothing\n");

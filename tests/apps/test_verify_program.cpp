@@ -64,7 +64,8 @@ TEST_F(VerifyProgram, TakesTheNumberOfPointsInACell) {
 TEST_F(VerifyProgram, RefusesUnknownNamesAndListsTheKnownOnes) {
   const Outcome scheme = run(folder_, words({"--schemes", "gim"}));
   EXPECT_EQ(scheme.code, 2);
-  EXPECT_THAT(scheme.err, AllOf(HasSubstr("gim, is unknown (did you mean 'gimp'?)"), HasSubstr("known: linear, gimp, cpgimp")));
+  EXPECT_THAT(scheme.err,
+              AllOf(HasSubstr("gim, is unknown (did you mean 'gimp'?)"), HasSubstr("known: linear, gimp, cpgimp")));
   const Outcome problem = run(folder_, words({"--problems", "rod"}));
   EXPECT_EQ(problem.code, 2);
   EXPECT_THAT(problem.err, AllOf(HasSubstr("rod, is unknown"), HasSubstr(" bar, "), HasSubstr(", vortex, ")));
