@@ -100,6 +100,11 @@ Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) 
   model.confining_pressure = block::pressure;
   model.transfer = transfer_named(wanted.transfer);
   model.flip = block::flip;
+  if (wanted.filter > 0) {
+    model.stress_filter.stress_rate = block::filter_rate;
+    model.stress_filter.volume_rate = 0.1 * block::filter_rate;
+    model.stress_filter.steps_between = wanted.filter;
+  }
   if (wanted.stencils != "auto") model.keep_stencils = wanted.stencils == "kept";
 
   const auto& law = catalogue.materials.find(wanted.material);

@@ -15,6 +15,7 @@ struct BenchCase {
   int threads = 1;
   double length = 0.0; ///< l_c [m]; 0: local
   std::string averager = "gauss", search = "cgal_kd_tree";
+  int filter = 0;                ///< stresses are filtered in every so many steps; 0: never
   std::string stencils = "auto"; ///< kept for a step, evaluated in blocks, or what the library chooses
 };
 
@@ -24,6 +25,7 @@ constexpr double pressure = 100e3;       ///< stress −p I at the start, balanc
 constexpr double void_ratio = 0.6;       ///< where the law knows one [-]
 constexpr double strain_per_step = 1e-6; ///< ‖D‖ Δt at the start [-]
 constexpr double flip = 0.98;
+constexpr double filter_rate = 1e4; ///< about the default of the biaxial test [1/s]
 } // namespace bench_block
 
 const std::vector<std::string>& step_orders();    ///< musl, usl, usf

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <malloc.h>
+#include <numeric>
 #include <omp.h>
 
 namespace riedel {
@@ -40,16 +41,20 @@ std::optional<double> run(Simulation<Dim>& simulation, std::int64_t steps, const
   return seconds_since(start);
 }
 
-/// Steps that take as long as a repeat shall: whole tens, because a run looks at the wave speed in every tenth step.
+/// Steps that take as long as a repeat shall: whole tens, because a run looks at the wave speed in every tenth step,
+/// and whole rounds of the stress filter.
 template <int Dim>
 std::optional<std::int64_t> steps_of_a_repeat(Simulation<Dim>& simulation, const BenchEffort& effort) {
-  constexpr std::int64_t ten = 10, most = 1'000'000;
-  for (std::int64_t steps = ten;; steps *= 4) {
+  constexpr std::int64_t most = 1'000'000;
+  const StressFilter& filter = simulation.model().stress_filter;
+  const std::int64_t round = std::lcm(std::int64_t{10}, std::int64_t{filter.on() ? filter.steps_between : 1});
+  for (std::int64_t steps = round;; steps *= 4) {
     const std::optional<double> seconds = run(simulation, steps, effort);
     if (!seconds) return std::nullopt;
     if (*seconds < 0.1 * effort.seconds && steps < most) continue; // too short to tell
     const double wanted = effort.seconds / std::max(*seconds, 1e-9) * static_cast<double>(steps);
-    return std::min(most, ten * static_cast<std::int64_t>(std::ceil(wanted / ten)));
+    const double rounds = std::ceil(wanted / static_cast<double>(round));
+    return round * std::min(most / round, static_cast<std::int64_t>(rounds));
   }
 }
 

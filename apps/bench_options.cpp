@@ -26,6 +26,7 @@ const Options& choices() {
       {"length", "A,B", "l_c in m, or with a unit: 1.5mm; 0 is local; default: 0"},
       {"averager", "A,B", "default: gauss", true, catalogue.in_2d.averagers.names()},
       {"search", "A,B", "for neighbours; default: cgal_kd_tree", true, catalogue.in_2d.searches.names()},
+      {"filter", "N,M", "steps from one filtering of the stresses to the next, 20 in a biaxial test; default: 0, none"},
       {"stencils", "A,B", "kept for a step, evaluated in blocks, or auto; default: auto", true, stencil_memory()},
       {"threads", "N,M", "default: 1"},
   };
@@ -117,6 +118,7 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
   all = vary(all, &BenchCase::transfer, arguments.names("transfer", {otherwise.transfer}, transfer_names()));
   all = vary(all, &BenchCase::points, integers(arguments, "points", {"2e3", "1e4", "1e5", "1e6"}, 1, 100'000'000));
   all = vary(all, &BenchCase::scheme, arguments.names("scheme", {otherwise.scheme}, catalogue.in_2d.schemes.names()));
+  all = vary(all, &BenchCase::filter, integers(arguments, "filter", {"0"}, 0, 1000));
   all = vary(all, &BenchCase::stencils, arguments.names("stencils", {otherwise.stencils}, stencil_memory()));
   all = vary(all, &BenchCase::threads, integers(arguments, "threads", {"1"}, 1, 1024));
 

@@ -39,6 +39,7 @@ constexpr std::size_t names = 4; ///< columns of a row's head that are no number
 const Row head_of_names{"scheme", "law", "order", "l_c [mm]", "dim", "points", "threads"};
 Row row_of_names(const BenchResult& r) {
   return {r.of.scheme + (r.of.transfer == "flip" ? "" : ", " + r.of.transfer) +
+              (r.of.filter == 0 ? "" : ", filter/" + std::to_string(r.of.filter)) +
               (r.of.stencils == "auto" ? "" : ", " + r.of.stencils),
           r.of.material,
           r.of.order,
@@ -150,6 +151,7 @@ nlohmann::ordered_json results_json(const std::vector<BenchResult>& results) {
                                {"averager", r.of.averager},
                                {"search", r.of.search},
                                {"stencils", r.of.stencils},
+                               {"filter_steps", r.of.filter},
                                {"points_per_cell", power(r.of.per_cell, r.of.dimension)},
                                {"steps_per_repeat", r.steps},
                                {"substepped_share", r.substepped_share}};

@@ -10,7 +10,7 @@ namespace riedel {
 
 /// PIC drags on the sides as they move out: 0.98 per step leaves 0.07 degrees at the peak in a single cell, and this,
 /// some 0.995, 0.02. Where all nodes move in proportion, there is nothing that no node sees.
-constexpr StepDefaults element_step_defaults{.damping = 0.01, .stress_filter = 0.0};
+constexpr StepDefaults element_step_defaults{.damping = 0.01, .stress_filter = 0.0, .slow_damp_more = false};
 
 /// Two for the tests in plane strain and three for the triaxial one, unless the case says which.
 int dimensions_of_element(const Values& values);

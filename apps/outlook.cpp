@@ -4,7 +4,7 @@
 #include "apps/element_specimen.hpp"
 #include "apps/memory_needed.hpp"
 #include "apps/memory_there.hpp"
-#include "apps/specimen_geometry.hpp"
+#include "apps/specimen.hpp"
 #include "apps/step_keys.hpp"
 
 #include <cmath>
@@ -36,7 +36,7 @@ std::string rates_text(const Values& v, const Catalogue& catalogue) {
   const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
   Model<2> model;
   model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
-  set_step(model, v, wave_speeds(v, *law).at_start / v.number("specimen.width"));
+  set_biaxial_step(model, v, *law);
   const std::string damping = model.transfer != VelocityTransfer::flip ? "none by FLIP and PIC"
                               : model.damping ? "damping " + short_text(*model.damping) + " 1/s"
                                               : "FLIP " + short_text(model.flip) + " by step";

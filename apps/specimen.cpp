@@ -67,11 +67,21 @@ void set_averager(Body<Dim>& body, const Values& v, const Catalogue& catalogue) 
 } // namespace
 
 template <int Dim>
+void set_biaxial_step(Model<Dim>& model, const Values& v, const Material& law) {
+  const double crossing_rate = wave_speeds(v, law).at_start / v.number("specimen.width"), // [1/s]
+      loading_rate = v.number("loading.speed") / v.number("specimen.height");
+  constexpr double slow_loading = 7e-5; // strain in the time that a wave takes: 0.05 m/s in the default case
+  StepDefaults defaults;
+  defaults.damping *= std::max(1.0, slow_loading * crossing_rate / loading_rate);
+  set_step(model, v, crossing_rate, defaults);
+}
+
+template <int Dim>
 Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Model<Dim> model;
   model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
   std::unique_ptr<Material> law = make_law(v, catalogue);
-  set_step(model, v, wave_speeds(v, *law).at_start / v.number("specimen.width"));
+  set_biaxial_step(model, v, *law);
   model.stress_filter.volume_axes = 2; // plane strain, in a slab as well
 
   const SpecimenGeometry<Dim> specimen(v, *model.scheme);
@@ -129,6 +139,8 @@ double present_width(const Points<Dim>& points, const Values& values) {
 
 template double present_width<2>(const Points<2>&, const Values&);
 template double present_width<3>(const Points<3>&, const Values&);
+template void set_biaxial_step<2>(Model<2>&, const Values&, const Material&);
+template void set_biaxial_step<3>(Model<3>&, const Values&, const Material&);
 template Simulation<2> make_biaxial<2>(const Values&, const Catalogue&);
 template Simulation<3> make_biaxial<3>(const Values&, const Catalogue&);
 template double platen_force<2>(const Simulation<2>&, const Values&);

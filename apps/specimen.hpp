@@ -13,6 +13,12 @@ namespace riedel {
 template <int Dim = 2>
 Simulation<Dim> make_biaxial(const Values& values, const Catalogue& catalogue);
 
+/// What the keys of the step say. In the time between two crossings of a slow test's wave little is loaded, and the
+/// noise of points that cross cells, which comes by the way they go, weighs more beside ‖D‖: so "auto" damps the more
+/// the slower the test, from 7·10⁻⁵ strains in the time that a wave takes across the width down.
+template <int Dim>
+void set_biaxial_step(Model<Dim>& model, const Values& values, const Material& law);
+
 /// Vertical force on the top platen, compression positive, with the part that balances the confining pressure [N/m].
 template <int Dim>
 double platen_force(const Simulation<Dim>& simulation, const Values& values);

@@ -89,7 +89,9 @@ Keys step_keys(const StepDefaults& defaults) {
        "1/s",
        at_least(0),
        "rate at which what the grid does not see of the points' velocities fades; auto: " + times(defaults.damping) +
-           " at which waves cross the specimen's width; for flip alone",
+           " at which waves cross the specimen's width" +
+           (defaults.slow_damp_more ? ", and below 7e-5 of strain in a crossing in inverse proportion more" : "") +
+           "; for flip alone",
        {"auto"}},
       {"time.flip",
        "damping",

@@ -11,6 +11,7 @@ namespace riedel {
 struct StepDefaults {
   double damping = 2.0;
   double stress_filter = 2.0;
+  bool slow_damp_more = true; ///< the damping grows where loading is slow
 };
 
 /// All keys of the section `time`.

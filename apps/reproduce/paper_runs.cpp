@@ -60,7 +60,7 @@ const std::vector<Way>& all_ways() {
                                       .title = "filtered, at 0.025 m/s",
                                       .scheme = "cpdi",
                                       .suffix = ",filtered",
-                                      .settings = {"loading.speed=0.025", "time.damping=2e4"}}};
+                                      .settings = {"loading.speed=0.025"}}};
   return ways;
 }
 

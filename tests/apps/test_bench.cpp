@@ -92,6 +92,17 @@ TEST(BenchMeasure, AddsUpPhasesAndCountsMemory) {
   EXPECT_LT(result->bytes_per_point, 20'000);
 }
 
+TEST(BenchMeasure, TellsWhatTheStressFilterTakesOverWholeRounds) {
+  const BenchEffort effort{.repeats = 1, .seconds = 1e-4};
+  const auto without = measure({.points = 100}, catalogue(), effort);
+  const auto with = measure({.points = 100, .filter = 7}, catalogue(), effort);
+  ASSERT_TRUE(without && with);
+  EXPECT_EQ(without->phases[static_cast<std::size_t>(Phase::filter)], 0.0);
+  EXPECT_GT(with->phases[static_cast<std::size_t>(Phase::filter)], 0.0);
+  EXPECT_EQ(with->steps % 70, 0);
+  EXPECT_THAT(results_table({*with}), testing::HasSubstr("gimp, filter/7 "));
+}
+
 TEST(BenchMeasure, LeavesWhenAsked) {
   int questions = 0;
   const BenchEffort effort{.stop = [&] { return ++questions > 25; }};
