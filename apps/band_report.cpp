@@ -87,9 +87,9 @@ nlohmann::ordered_json quality_json(const StressQuality& quality) {
                               {"void_ratio_scatter", figure_json(quality.void_ratio_scatter)},
                               {"rate_scatter", figure_json(quality.rate_scatter)},
                               {"core_points", nullptr},
-                              {"without_stress", nullptr},
+                              {"stressless_in_band", nullptr},
                               {"doubt", nullptr}};
-  if (measured) json["core_points"] = quality.core_points, json["without_stress"] = quality.without_stress;
+  if (measured) json["core_points"] = quality.core_points, json["stressless_in_band"] = quality.without_stress;
   if (const std::string doubt = quality.doubt(); !doubt.empty()) json["doubt"] = doubt;
   return json;
 }

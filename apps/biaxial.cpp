@@ -79,7 +79,7 @@ void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interr
 /// What a reader of the numbers must know before believing them.
 template <int Dim>
 void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& summary, double step_over_limit) {
-  for (const auto& [part, name] : {std::pair{"band", "shear band: "}, {"stress_quality", "stresses: "}})
+  for (const auto& [part, name] : {std::pair{"band", "shear band: "}, {"stress", "stresses: "}})
     if (const std::string doubt = text_in(summary.at(part), "doubt", ""); !doubt.empty()) print_warning(name + doubt);
   if (step_over_limit > 1.0)
     print_warning("the time step was " + short_text(step_over_limit) +

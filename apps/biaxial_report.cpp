@@ -51,7 +51,7 @@ std::string band_line(const ordered_json& band) {
 std::string quality_line(const ordered_json& quality) {
   if (std::isnan(figure_in(quality, "pressure_scatter"))) return "";
   return "stresses   p of neighbours in the band differs by " + figure(quality, "pressure_scatter", 100.0, 1, " %") +
-         ", " + figure(quality, "without_stress", 1.0, 0) + " of " + figure(quality, "core_points", 1.0, 0) +
+         ", " + figure(quality, "stressless_in_band", 1.0, 0) + " of " + figure(quality, "core_points", 1.0, 0) +
          " points without stress\n";
 }
 
@@ -75,14 +75,14 @@ ordered_json biaxial_summary(const BiaxialRun<Dim>& run, const Values& values, c
   if (ending.status == "failed") {
     all["band"] = band_json(ShearBand{});
     for (auto& figure : all["band"]) figure = nullptr;
-    all["stress_quality"] = quality_json({});
+    all["stress"] = quality_json({});
   } else {
     const Frame section = run.section();
     const ShearBand band = measure_band(section, values);
     all["band"] = band_json(band);
-    all["stress_quality"] = quality_json(measure_quality(section, band, values));
+    all["stress"] = quality_json(measure_quality(section, band, values));
   }
-  all["stress_quality"].update(run.quality());
+  all["stress"].update(run.quality());
   return all;
 }
 
@@ -90,7 +90,7 @@ std::string biaxial_text(const ordered_json& s) {
   const ordered_json band = s.contains("band") ? s.at("band") : ordered_json();
   std::string text = s.at("status") == "done" ? "" : ending_line(s);
   text += strength_lines(s) + band_line(band);
-  if (s.contains("stress_quality")) text += quality_line(s.at("stress_quality"));
+  if (s.contains("stress")) text += quality_line(s.at("stress"));
   const double kinetic = figure_in(s, "kinetic_over_internal_max");
   text += "energy     kinetic over internal " +
           (std::isnan(kinetic) ? "- (from u/h0 = 0.5 % on)\n" : "at most " + short_text(kinetic, 2) + "\n");

@@ -168,6 +168,7 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
           {"phi_peak_deg", once_moved(peak->angle)},
           {"u_over_h_at_peak", once_moved(peak->u_over_h)},
           {"phi_residual_deg", figure_json(residual_angle(peak->u_over_h))},
+          {"phi_true_peak_deg", once_moved(std::ranges::max(rows_, {}, &BiaxialRow::true_angle).true_angle)},
           {"phi_true_end_deg", once_moved(rows_.back().true_angle)},
           {"kinetic_over_internal_max", figure_json(kinetic_over_internal())},
           {"transfer_over_external", of_external(&Energies::transfer)},
@@ -190,7 +191,7 @@ nlohmann::ordered_json BiaxialRun<Dim>::quality() const {
     if (row.u_over_h > u_over_h() - swing_part)
       u.push_back(row.u_over_h), velocity.push_back(row.quality.block_velocity);
   const CheapQuality& last = rows_.back().quality;
-  return {{"alternation", last.alternation},
+  return {{"column_alternation", last.alternation},
           {"stressless", last.stressless},
           {"block_velocity_swing", figure_json(swing(u, velocity))}};
 }

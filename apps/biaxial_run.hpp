@@ -49,7 +49,7 @@ public:
   [[nodiscard]] double kinetic_over_internal() const;
   /// The keys of summary.json that the run itself knows; null for what it cannot have.
   [[nodiscard]] nlohmann::ordered_json summary() const;
-  /// Of summary.json's stress_quality, what does not look at the band.
+  /// Of summary.json's stress, what does not look at the band.
   [[nodiscard]] nlohmann::ordered_json quality() const;
 
 private:

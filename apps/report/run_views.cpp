@@ -35,8 +35,8 @@ ordered_json band_of(const RunResult& run) {
 
 /// The part of the summary on stresses; empty where a run has none.
 ordered_json quality_of(const RunResult& run) {
-  const bool has = run.summary.is_object() && run.summary.contains("stress_quality");
-  return has ? run.summary.at("stress_quality") : ordered_json::object();
+  const bool has = run.summary.is_object() && run.summary.contains("stress");
+  return has ? run.summary.at("stress") : ordered_json::object();
 }
 
 PageCell exponent(const ordered_json& json, const char* name) {
@@ -115,7 +115,7 @@ PageTable band_table(Runs runs) {
                            figure(band, "thickness_rate_m", 1e-3, 2),
                            figure(band, "void_ratio_inside", 1.0, 3),
                            figure(quality, "pressure_scatter", 0.01, 1),
-                           figure(quality, "without_stress", 1.0, 0)},
+                           figure(quality, "stressless_in_band", 1.0, 0)},
                           run.name});
   }
   return table;
