@@ -1,7 +1,7 @@
 /// What an element test gives, whichever driver carried it out: a row per output, and how it ended.
 #pragma once
 
-#include "materials/law_point.hpp"
+#include "materials/element/law_point.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,7 +1,7 @@
 /// What a path can prescribe of a point, or watch in it: strains and stresses by the names of element.csv.
 #pragma once
 
-#include "materials/point_driver.hpp"
+#include "materials/element/point_driver.hpp"
 
 namespace riedel {
 

@@ -4,7 +4,7 @@
 #include "apps/step_keys.hpp"
 #include "core/interface/catalogue.hpp"
 #include "core/step/simulation.hpp"
-#include "materials/law_point.hpp"
+#include "materials/element/law_point.hpp"
 
 namespace riedel {
 

@@ -1,7 +1,7 @@
 #include "apps/expected_work.hpp"
 
 #include "apps/specimen_geometry.hpp"
-#include "materials/law_point.hpp"
+#include "materials/element/law_point.hpp"
 
 #include <cmath>
 #include <numbers>

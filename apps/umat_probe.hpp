@@ -1,7 +1,7 @@
 /// Single calls of a UMAT, and what they tell of it.
 #pragma once
 
-#include "materials/law_point.hpp"
+#include "materials/element/law_point.hpp"
 #include "materials/umat.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/interface/elastoplastic_law.hpp"
-#include "materials/strength.hpp"
+#include "materials/kit/elastoplastic_law.hpp"
+#include "materials/kit/strength.hpp"
 
 namespace riedel {
 

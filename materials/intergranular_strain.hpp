@@ -1,6 +1,6 @@
 #pragma once
 
-#include "materials/hypoplastic.hpp"
+#include "materials/kit/hypoplastic.hpp"
 
 namespace riedel {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/interface/elastic_solid.hpp"
-#include "core/interface/rate_law.hpp"
+#include "materials/kit/elastic_solid.hpp"
+#include "materials/kit/rate_law.hpp"
 
 namespace riedel {
 

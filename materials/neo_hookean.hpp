@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/spectral.hpp"
-#include "core/interface/batch_group.hpp"
-#include "core/interface/elastic_solid.hpp"
+#include "materials/kit/batch_group.hpp"
+#include "materials/kit/elastic_solid.hpp"
 
 namespace riedel {
 

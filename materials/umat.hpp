@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/interface/material.hpp"
-#include "materials/umat_library.hpp"
-#include "materials/umat_point.hpp"
+#include "materials/umat/library.hpp"
+#include "materials/umat/point.hpp"
 
 namespace riedel {
 

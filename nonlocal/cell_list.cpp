@@ -1,6 +1,6 @@
 #include "nonlocal/cell_list.hpp"
 
-#include "nonlocal/rows.hpp"
+#include "nonlocal/kit/rows.hpp"
 
 #include <bit>
 

@@ -1,6 +1,6 @@
 #include "nonlocal/cgal_kd_tree.hpp"
 
-#include "nonlocal/rows.hpp"
+#include "nonlocal/kit/rows.hpp"
 
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>

@@ -1,6 +1,6 @@
 #include "nonlocal/gauss.hpp"
 
-#include "nonlocal/rows.hpp"
+#include "nonlocal/kit/rows.hpp"
 
 #include <numeric>
 
@@ -163,7 +163,7 @@ void GaussAverager<Dim>::weigh(Range teams) {
 template <int Dim>
 bool GaussAverager<Dim>::shifted(const Columns& positions, const Columns& since, double distance) {
   if (points_ == 0) return false;
-  const Box<Dim> ways = box_of(positions, &since, boxes_);
+  const BoundingBox<Dim> ways = bounding_box(positions, &since, boxes_);
   return !((ways.upper - ways.lower).norm() <= distance);
 }
 

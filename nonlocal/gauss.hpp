@@ -3,8 +3,8 @@
 
 #include "core/base/columns.hpp"
 #include "core/interface/nonlocal_averager.hpp"
-#include "nonlocal/box.hpp"
-#include "nonlocal/weight.hpp"
+#include "nonlocal/kit/bounding_box.hpp"
+#include "nonlocal/kit/weight.hpp"
 
 namespace riedel {
 
@@ -55,7 +55,7 @@ private:
   Columns load_{2};                     ///< V_q [m³ or m²] and V_q field(q); like places_ with eight more at the end
   Columns places_{Dim};                 ///< positions when weights were evaluated [m]
   Columns searched_at_{Dim};            ///< positions when neighbours were searched for [m]
-  std::vector<Box<Dim>> boxes_;         ///< working space of `shifted`
+  std::vector<BoundingBox<Dim>> boxes_; ///< working space of `shifted`
   std::int64_t searches_ = 0;
 };
 

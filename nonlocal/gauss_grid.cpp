@@ -1,7 +1,7 @@
 #include "nonlocal/gauss_grid.hpp"
 
-#include "nonlocal/rows.hpp"
-#include "nonlocal/weight.hpp"
+#include "nonlocal/kit/rows.hpp"
+#include "nonlocal/kit/weight.hpp"
 
 #include <sstream>
 
@@ -67,7 +67,7 @@ GaussGridAverager<Dim>::GaussGridAverager(double length, double spacing) : spaci
 
 template <int Dim>
 void GaussGridAverager<Dim>::follow(const Columns& positions) {
-  const Box<Dim> box = box_of<Dim>(positions, nullptr, boxes_);
+  const BoundingBox<Dim> box = bounding_box<Dim>(positions, nullptr, boxes_);
   if (points_ != positions.size() || !holds(box)) lay_out(positions, box);
   for_each_block(points_, [&](Range block) { place(positions, block); });
 }
@@ -92,7 +92,7 @@ Vec<Dim> GaussGridAverager<Dim>::node_at(const Vec<Dim>& place) const {
 }
 
 template <int Dim>
-bool GaussGridAverager<Dim>::holds(const Box<Dim>& box) const {
+bool GaussGridAverager<Dim>::holds(const BoundingBox<Dim>& box) const {
   const Vec<Dim> lower = node_at(box.lower) - first_, upper = node_at(box.upper) - first_;
   for (int a = 0; a < Dim; ++a)
     if (!(lower[a] >= 1.0 && upper[a] <= count_[a] - 2.0)) return false;
@@ -101,7 +101,7 @@ bool GaussGridAverager<Dim>::holds(const Box<Dim>& box) const {
 
 /// Around the points, with one more node on each side, so that points at rest do not leave it by rounding.
 template <int Dim>
-void GaussGridAverager<Dim>::lay_out(const Columns& positions, const Box<Dim>& box) {
+void GaussGridAverager<Dim>::lay_out(const Columns& positions, const BoundingBox<Dim>& box) {
   points_ = 0;
   if (positions.size() == 0) return;
   require_finite<Dim>(positions);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/interface/nonlocal_averager.hpp"
-#include "nonlocal/box.hpp"
+#include "nonlocal/kit/bounding_box.hpp"
 
 namespace riedel {
 
@@ -36,8 +36,8 @@ private:
   static constexpr Index strip = 8; ///< layers of nodes along the last axis that one thread spreads points over
 
   [[nodiscard]] Vec<Dim> node_at(const Vec<Dim>& place) const;
-  [[nodiscard]] bool holds(const Box<Dim>& box) const;
-  void lay_out(const Columns& positions, const Box<Dim>& box);
+  [[nodiscard]] bool holds(const BoundingBox<Dim>& box) const;
+  void lay_out(const Columns& positions, const BoundingBox<Dim>& box);
   [[noreturn]] void refuse(const Columns& positions, double nodes) const;
   void place(const Columns& positions, Range block);
   void evaluate(Index p, Splines& N) const;
@@ -58,7 +58,7 @@ private:
   Columns offset_{Dim};                      ///< of a point from its node, in spacings, −0.5 … 0.5 [-]
   std::vector<Index> base_;                  ///< the first of the 3 × 3 [× 3] nodes around a point
   std::vector<Range> bases_;                 ///< per block, from the lowest base to behind the highest
-  std::vector<Box<Dim>> boxes_;              ///< working space: per block
+  std::vector<BoundingBox<Dim>> boxes_;      ///< working space: per block
   std::int64_t layouts_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #include "shapefunctions/bspline.hpp"
 
-#include "shapefunctions/tensor_product.hpp"
-#include "shapefunctions/wall_ends.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
+#include "shapefunctions/kit/wall_ends.hpp"
 
 namespace riedel {
 

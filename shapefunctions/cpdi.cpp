@@ -1,7 +1,7 @@
 #include "shapefunctions/cpdi.hpp"
 
-#include "shapefunctions/corners.hpp"
-#include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/kit/corners.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
 
 namespace riedel {
 

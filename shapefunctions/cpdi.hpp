@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shapefunctions/domain_keys.hpp"
+#include "shapefunctions/kit/domain_keys.hpp"
 
 namespace riedel {
 

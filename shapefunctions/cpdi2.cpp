@@ -1,8 +1,8 @@
 #include "shapefunctions/cpdi2.hpp"
 
 #include "core/state/cell_place.hpp"
-#include "shapefunctions/corners.hpp"
-#include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/kit/corners.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
 
 namespace riedel {
 

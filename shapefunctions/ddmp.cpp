@@ -1,7 +1,7 @@
 #include "shapefunctions/ddmp.hpp"
 
 #include "core/state/cell_place.hpp"
-#include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
 
 #include <atomic>
 

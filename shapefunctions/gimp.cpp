@@ -1,6 +1,6 @@
 #include "shapefunctions/gimp.hpp"
 
-#include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,6 +1,6 @@
 #include "shapefunctions/linear.hpp"
 
-#include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
 
 namespace riedel {
 

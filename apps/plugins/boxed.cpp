@@ -1,6 +1,6 @@
 /// A scheme: hats averaged over a box of a given width, whatever the size of the points.
 #include "core/interface/plugin.hpp"
-#include "shapefunctions/tensor_product.hpp"
+#include "shapefunctions/kit/tensor_product.hpp"
 
 namespace {
 

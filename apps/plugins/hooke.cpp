@@ -1,7 +1,7 @@
 /// Hooke's law in rates, σ° = λ tr(D) I + 2 μ D: the least that a law consists of.
-#include "core/interface/elastic_solid.hpp"
 #include "core/interface/plugin.hpp"
-#include "core/interface/rate_law.hpp"
+#include "materials/kit/elastic_solid.hpp"
+#include "materials/kit/rate_law.hpp"
 
 namespace {
 

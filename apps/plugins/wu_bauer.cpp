@@ -2,7 +2,7 @@
 /// σ° = C1 tr(σ) D + C2 tr(σD)/tr(σ) σ + (C3 σ² + C4 σ*²)/tr(σ) ‖D‖.
 /// docs/theory/wu_bauer.md derives the constants from stiffness, Poisson's ratio, friction and dilatancy.
 #include "core/interface/plugin.hpp"
-#include "core/interface/rate_law.hpp"
+#include "materials/kit/rate_law.hpp"
 
 #include <Eigen/LU>
 #include <numbers>

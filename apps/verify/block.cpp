@@ -40,7 +40,7 @@ std::vector<Vec<Dim>> VerifySetup<Dim>::places() const {
 }
 
 template <int Dim>
-void VerifySetup<Dim>::set_velocity(const Field<Dim>& velocity) {
+void VerifySetup<Dim>::set_velocity(const VectorField<Dim>& velocity) {
   for (Index p = 0; p < points().size(); ++p) {
     const Vec<Dim> v = velocity(points().position_of(p));
     for (int a = 0; a < Dim; ++a) points().velocity[a][p] = v[a];

@@ -26,7 +26,7 @@ struct Side {
 
 /// A field by the points' places at the start, and one by time as well.
 template <int Dim>
-using Field = std::function<Vec<Dim>(const Vec<Dim>& X)>;
+using VectorField = std::function<Vec<Dim>(const Vec<Dim>& X)>;
 template <int Dim>
 using Course = std::function<Vec<Dim>(const Vec<Dim>& X, double time)>;
 
@@ -39,9 +39,9 @@ struct VerifySetup {
 
   [[nodiscard]] Points<Dim>& points() { return state.bodies.front().points; }
   [[nodiscard]] const Points<Dim>& points() const { return state.bodies.front().points; }
-  [[nodiscard]] std::vector<Vec<Dim>> places() const; ///< X of the points, by their numbers [m]
-  void set_velocity(const Field<Dim>& velocity);      ///< [m/s]
-  void add_body_force(const Course<Dim>& per_mass);   ///< [N/kg]
+  [[nodiscard]] std::vector<Vec<Dim>> places() const;  ///< X of the points, by their numbers [m]
+  void set_velocity(const VectorField<Dim>& velocity); ///< [m/s]
+  void add_body_force(const Course<Dim>& per_mass);    ///< [N/kg]
   /// Holds the velocity across a side of the box, everywhere behind it.
   void add_roller(const Side& side);
   /// Chooses the time step so that `duration` is a whole number of steps. @return that number

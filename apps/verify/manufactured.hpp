@@ -29,7 +29,7 @@ struct Manufactured {
   double duration; ///< [s]
   double fastest;  ///< speed of the fastest wave [m/s]
   Course<Dim> displacement;
-  Field<Dim> velocity_at_start;
+  VectorField<Dim> velocity_at_start;
   std::function<Mat<Dim>(const Vec<Dim>& X)> gradient_at_start = {}; ///< F; none: undeformed
   Course<Dim> body_force;
 };

@@ -1,8 +1,8 @@
 #include "core/step/grid_to_points.hpp"
 
 #include "core/step/group_walk.hpp"
-#include "core/step/point_motion.hpp"
-#include "core/step/scatter.hpp"
+#include "core/step/kernels/point_motion.hpp"
+#include "core/step/kernels/scatter.hpp"
 #include "core/step/transfer.hpp"
 #include "core/step/transfers/affine.hpp"
 

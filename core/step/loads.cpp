@@ -1,7 +1,7 @@
 #include "core/step/loads.hpp"
 
 #include "core/state/cell_place.hpp"
-#include "core/step/scatter.hpp"
+#include "core/step/kernels/scatter.hpp"
 
 #include <Eigen/LU>
 

@@ -1,7 +1,7 @@
 #include "core/step/locking.hpp"
 
 #include "core/base/parallel.hpp"
-#include "core/step/point_motion.hpp"
+#include "core/step/kernels/point_motion.hpp"
 
 namespace riedel {
 

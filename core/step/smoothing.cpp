@@ -1,8 +1,8 @@
 #include "core/step/smoothing.hpp"
 
 #include "core/step/group_walk.hpp"
+#include "core/step/kernels/stencil_walk.hpp"
 #include "core/step/slab_order.hpp"
-#include "core/step/stencil_walk.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <limits>

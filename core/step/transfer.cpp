@@ -1,7 +1,7 @@
 #include "core/step/transfer.hpp"
 
+#include "core/step/kernels/point_shares.hpp"
 #include "core/step/loads.hpp"
-#include "core/step/point_shares.hpp"
 #include "core/step/transfers/affine.hpp"
 
 namespace riedel {

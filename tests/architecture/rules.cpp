@@ -42,15 +42,8 @@ void for_each_include(const std::string& text, char opening, const Visit& visit)
   });
 }
 
-/// The room that a path lies in: "core/base", "materials", "tests", ...
-std::string room_of(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  if (slash == std::string::npos) return "";
-  if (path.compare(0, slash, "core") != 0) return path.substr(0, slash);
-  return path.substr(0, path.find('/', slash + 1));
-}
-
-/// What each room may see of the others; apps and tests, which see everything, are not listed.
+/// What each room may see of the others; apps and tests, which see everything, are not listed. A folder that is not
+/// listed belongs to the room above it.
 const std::map<std::string, Names>& rooms_in_sight() {
   static const std::map<std::string, Names> sight = {
       {"core/base", {}},
@@ -58,11 +51,25 @@ const std::map<std::string, Names>& rooms_in_sight() {
       {"core/interface", {"core/base", "core/state"}},
       {"core/step", {"core/base", "core/state", "core/interface"}},
       {"core/io", {"core/base", "core/state", "core/interface", "core/step"}},
-      {"shapefunctions", {"core/base", "core/state", "core/interface"}},
-      {"materials", {"core/base", "core/interface"}},
-      {"nonlocal", {"core/base", "core/interface"}},
+      {"shapefunctions/kit", {"core/base", "core/state", "core/interface"}},
+      {"shapefunctions", {"core/base", "core/state", "core/interface", "shapefunctions/kit"}},
+      {"materials/kit", {"core/base", "core/interface"}},
+      {"materials/umat", {"core/base", "core/interface"}},
+      {"materials/element", {"core/base", "core/interface"}},
+      {"materials", {"core/base", "core/interface", "materials/kit", "materials/umat"}},
+      {"nonlocal/kit", {"core/base", "core/interface"}},
+      {"nonlocal", {"core/base", "core/interface", "nonlocal/kit"}},
   };
   return sight;
+}
+
+/// The room that a path lies in: "core/base", "materials/kit", "tests", ...; in core every folder is one, known or not.
+std::string room_of(const std::string& path) {
+  std::string folder = path.substr(0, path.find_last_of('/'));
+  const std::size_t depth = path.starts_with("core/") ? 1 : 0;
+  while (static_cast<std::size_t>(std::ranges::count(folder, '/')) > depth && !rooms_in_sight().contains(folder))
+    folder.resize(folder.find_last_of('/'));
+  return path.find('/') == std::string::npos ? "" : folder;
 }
 
 struct Library {
@@ -139,14 +146,11 @@ Offences libraries_out_of_place(const SourceFile& file) {
 }
 
 std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files) {
-  const Names helpers = {"register",      "tensor_product", "product_stencil", "wall_ends",  "corners",
-                         "domain_keys",   "point_driver",   "law_point",       "strength",   "umat_library",
-                         "umat_services", "umat_guard",     "umat_point",      "umat_states"};
   const Names everyday = {"linear", "elastic", "strain", "von"};
   Names names;
   for (const SourceFile& file : files) {
     const std::string room = room_of(file.path), name = stem(file.path);
-    if ((room != "shapefunctions" && room != "materials") || helpers.contains(name)) continue;
+    if ((room != "shapefunctions" && room != "materials") || name == "register") continue;
     bool distinct = false;
     std::istringstream words(split_words(name));
     for (std::string word; words >> word;) {

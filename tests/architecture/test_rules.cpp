@@ -26,13 +26,34 @@ TEST(RuleOnIncludes, KeepsEveryRoomFromThoseItMustNotSee) {
     return includes_that_run_up({from + "/a.hpp", "#include \"" + to + "/b.hpp\"\n"});
   };
   const std::vector<std::pair<std::string, std::string>> forbidden = {
-      {"core/base", "core/io"},    {"core/state", "core/interface"}, {"core/interface", "core/step"},
-      {"core/step", "core/io"},    {"core/step", "materials"},       {"core/io", "apps"},
-      {"core/io", "nonlocal"},     {"shapefunctions", "core/step"},  {"shapefunctions", "materials"},
-      {"materials", "core/state"}, {"materials", "core/step"},       {"materials", "nonlocal"},
-      {"nonlocal", "core/state"},  {"nonlocal", "shapefunctions"},   {"nonlocal", "core/io"},
+      {"core/base", "core/io"},
+      {"core/state", "core/interface"},
+      {"core/interface", "core/step"},
+      {"core/step", "core/io"},
+      {"core/step", "materials"},
+      {"core/io", "apps"},
+      {"core/io", "nonlocal"},
+      {"shapefunctions", "core/step"},
+      {"shapefunctions", "materials"},
+      {"materials", "core/state"},
+      {"materials", "core/step"},
+      {"materials", "nonlocal"},
+      {"nonlocal", "core/state"},
+      {"nonlocal", "shapefunctions"},
+      {"nonlocal", "core/io"},
+      {"materials/kit", "materials"},
+      {"materials", "materials/element"},
+      {"materials/umat", "materials"},
+      {"shapefunctions/kit", "shapefunctions"},
+      {"nonlocal/kit", "nonlocal"},
   };
   for (const auto& [from, to] : forbidden) EXPECT_THAT(offences(from, to), SizeIs(1)) << from << " sees " << to;
+}
+
+TEST(RuleOnIncludes, TakesAFolderThatIsNoRoomForAPartOfTheOneAboveIt) {
+  EXPECT_THAT(includes_that_run_up({"core/step/kernels/a.hpp", "#include \"core/step/b.hpp\"\n"}), IsEmpty());
+  EXPECT_THAT(includes_that_run_up({"core/step/kernels/a.hpp", "#include \"core/io/b.hpp\"\n"}), SizeIs(1));
+  EXPECT_THAT(includes_that_run_up({"materials/a.cpp", "#include \"materials/kit/b.hpp\"\n"}), IsEmpty());
 }
 
 TEST(RuleOnIncludes, LetsAppsAndTestsSeeEverything) {
@@ -89,7 +110,7 @@ TEST(RuleOnNames, TakesTheDistinctWordsOfTheFilesAndQuotesEverydayOnes) {
                                          {"materials/register.cpp", ""},
                                          {"shapefunctions/linear.hpp", ""},
                                          {"core/base/types.hpp", ""},
-                                         {"shapefunctions/tensor_product.hpp", ""}};
+                                         {"shapefunctions/kit/tensor_product.hpp", ""}};
   EXPECT_THAT(names_of_schemes_and_laws(files), ElementsAre("\"linear\"", "castle", "sand"));
 }
 

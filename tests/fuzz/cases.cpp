@@ -7,7 +7,7 @@
 #include "core/io/units.hpp"
 #include "fuzz/support.hpp"
 #include "fuzz/targets.hpp"
-#include "materials/umat_states.hpp"
+#include "materials/umat/states.hpp"
 
 #include <cmath>
 #include <set>

@@ -1,7 +1,7 @@
 /// Legs of paths for a point driver.
 #pragma once
 
-#include "materials/point_driver.hpp"
+#include "materials/element/point_driver.hpp"
 #include "support/problems.hpp"
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "nonlocal/weight.hpp"
+#include "nonlocal/kit/weight.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// UMATs that end the program, crash, do nothing or do mischief by being loaded, and threads without copies of a
 /// library.
 #include "core/base/parallel.hpp"
-#include "materials/umat_library.hpp"
+#include "materials/umat/library.hpp"
 #include "plugin/umats.hpp"
 
 #include <atomic>

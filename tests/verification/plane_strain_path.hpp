@@ -2,8 +2,8 @@
 /// tests/reference/integrator_errors.csv, solved in fine steps by another method than those under test.
 #pragma once
 
-#include "core/interface/runge_kutta.hpp"
 #include "materials/gudehus_bauer.hpp"
+#include "materials/kit/runge_kutta.hpp"
 
 namespace riedel::test {
 

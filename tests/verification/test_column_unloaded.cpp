@@ -3,7 +3,7 @@
 ///
 /// Points that are apart fly freely. With PIC they keep the platen's affine motion, and meet as they parted; under FLIP
 /// they rattle, which compacts the sand, so that the second curve lies below that of the point.
-#include "materials/point_driver.hpp"
+#include "materials/element/point_driver.hpp"
 #include "support/problems.hpp"
 
 #include <Eigen/LU>

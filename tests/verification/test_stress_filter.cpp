@@ -248,18 +248,6 @@ TEST(StressFilter, LeavesAShearBandWithoutScatterAndWithoutPointsThatCarryNothin
   EXPECT_THAT(without.doubt(), testing::HasSubstr("the pressures of neighbouring points in the band differ by "));
 }
 
-TEST(Damping, GrowsInverselyWithTheSpeedOfASlowTest) {
-  const auto damping = [](const std::string& speed) {
-    return make_biaxial<2>(biaxial_values({"loading.speed=" + speed, "grid.cells=[4,14]"}), catalogue())
-        .model()
-        .damping.value();
-  };
-  EXPECT_EQ(damping("0.1"), damping("0.5"));
-  EXPECT_EQ(damping("0.1"), damping("0.05"));
-  EXPECT_GT(damping("0.025"), 1.5 * damping("0.05"));
-  EXPECT_NEAR(damping("0.0125"), 2.0 * damping("0.025"), 1e-9 * damping("0.0125"));
-}
-
 TEST(StressFilter, IsRefusedWithRatesThatDoNotFit) {
   const auto refusal = [](StressFilter with, const std::string& scheme_name = "gimp") {
     Model<2> model = model_with<2>(scheme_name);

@@ -1,8 +1,8 @@
 #include "core/step/transfers/affine.hpp"
 
 #include "core/step/group_walk.hpp"
-#include "core/step/point_motion.hpp"
-#include "core/step/point_shares.hpp"
+#include "core/step/kernels/point_motion.hpp"
+#include "core/step/kernels/point_shares.hpp"
 #include "core/step/transfers/affine_scatter.hpp"
 #include "core/step/transfers/apic.hpp"
 #include "core/step/transfers/tpic.hpp"

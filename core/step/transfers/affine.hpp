@@ -3,8 +3,8 @@
 /// tpic.hpp.
 #pragma once
 
+#include "core/step/kernels/stencil_walk.hpp"
 #include "core/step/model.hpp"
-#include "core/step/stencil_walk.hpp"
 
 namespace riedel {
 

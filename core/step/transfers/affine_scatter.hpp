@@ -1,7 +1,7 @@
 /// The inner loop of the affine transfers from points to grid.
 #pragma once
 
-#include "core/step/scatter.hpp"
+#include "core/step/kernels/scatter.hpp"
 #include "core/step/transfers/moments.hpp"
 
 namespace riedel {

@@ -2,7 +2,7 @@
 /// 34(4), 51; Jiang, Schroeder & Teran (2017), J. Comput. Phys. 338, 137–164.
 #pragma once
 
-#include "core/step/gather.hpp"
+#include "core/step/kernels/gather.hpp"
 #include "core/step/pack_matrix.hpp"
 
 namespace riedel {

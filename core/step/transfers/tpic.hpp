@@ -2,7 +2,7 @@
 /// Engrg. 403, 115720.
 #pragma once
 
-#include "core/step/gather.hpp"
+#include "core/step/kernels/gather.hpp"
 #include "core/step/pack_matrix.hpp"
 
 namespace riedel {

@@ -1,8 +1,8 @@
 #include "core/step/transfers/xpic.hpp"
 
-#include "core/step/gather.hpp"
 #include "core/step/group_walk.hpp"
-#include "core/step/scatter.hpp"
+#include "core/step/kernels/gather.hpp"
+#include "core/step/kernels/scatter.hpp"
 
 namespace riedel {
 

@@ -1,7 +1,7 @@
 /// Laws that go wrong: while they are made, by throwing or by a crash, and in a run, by NaN, by a report or by
 /// throwing.
 #include "core/interface/plugin.hpp"
-#include "core/interface/rate_law.hpp"
+#include "materials/kit/rate_law.hpp"
 
 #include <csignal>
 

@@ -1,7 +1,7 @@
 /// Turns a rate equation, written for one point, into a law for blocks of points.
 #pragma once
 
-#include "core/interface/runge_kutta.hpp"
+#include "materials/kit/runge_kutta.hpp"
 
 #include <optional>
 
@@ -117,5 +117,5 @@ private:
 
 } // namespace riedel
 
-#include "core/interface/rate_law_integration.hpp"
-#include "core/interface/rate_law_substeps.hpp"
+#include "materials/kit/rate_law_integration.hpp"
+#include "materials/kit/rate_law_substeps.hpp"

@@ -1,8 +1,8 @@
 /// One point between the columns of a batch and the arguments of a UMAT.
 #pragma once
 
-#include "materials/umat_library.hpp"
-#include "materials/umat_states.hpp"
+#include "materials/umat/library.hpp"
+#include "materials/umat/states.hpp"
 
 #include <Eigen/Geometry>
 

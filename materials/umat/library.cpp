@@ -1,4 +1,4 @@
-#include "materials/umat_library.hpp"
+#include "materials/umat/library.hpp"
 
 #include "core/base/error.hpp"
 

@@ -1,6 +1,6 @@
-#include "materials/umat_services.hpp"
+#include "materials/umat/services.hpp"
 
-#include "materials/umat_guard.hpp"
+#include "materials/umat/guard.hpp"
 
 #include <Eigen/Dense>
 #include <cstdio>

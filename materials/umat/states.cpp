@@ -1,7 +1,7 @@
-#include "materials/umat_states.hpp"
+#include "materials/umat/states.hpp"
 
 #include "core/base/error.hpp"
-#include "materials/umat_services.hpp"
+#include "materials/umat/services.hpp"
 
 #include <sstream>
 

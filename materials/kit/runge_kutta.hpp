@@ -2,7 +2,7 @@
 /// start, which a step tried again with another length keeps, and a function that gives the rate at any other point.
 #pragma once
 
-#include "core/interface/rate_law_traits.hpp"
+#include "materials/kit/rate_law_traits.hpp"
 
 namespace riedel {
 

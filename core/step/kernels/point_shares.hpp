@@ -1,7 +1,7 @@
 /// What eight points have to give to the grid.
 #pragma once
 
-#include "core/step/scatter.hpp"
+#include "core/step/kernels/scatter.hpp"
 
 namespace riedel {
 

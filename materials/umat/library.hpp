@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/undisturbed.hpp"
-#include "materials/umat_guard.hpp"
+#include "materials/umat/guard.hpp"
 
 #include <array>
 #include <condition_variable>

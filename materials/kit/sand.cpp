@@ -1,4 +1,4 @@
-#include "materials/sand.hpp"
+#include "materials/kit/sand.hpp"
 
 namespace riedel {
 

@@ -1,6 +1,6 @@
-#include "materials/umat_point.hpp"
+#include "materials/umat/point.hpp"
 
-#include "materials/umat_services.hpp"
+#include "materials/umat/services.hpp"
 
 #include <cmath>
 

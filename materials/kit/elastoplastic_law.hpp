@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/spectral.hpp"
-#include "core/interface/batch_group.hpp"
-#include "core/interface/elastic_solid.hpp"
+#include "materials/kit/batch_group.hpp"
+#include "materials/kit/elastic_solid.hpp"
 
 namespace riedel {
 
@@ -91,4 +91,4 @@ private:
 
 } // namespace riedel
 
-#include "core/interface/elastoplastic_integration.hpp"
+#include "materials/kit/elastoplastic_integration.hpp"

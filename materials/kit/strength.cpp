@@ -1,4 +1,4 @@
-#include "materials/strength.hpp"
+#include "materials/kit/strength.hpp"
 
 namespace riedel {
 

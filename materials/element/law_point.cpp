@@ -1,4 +1,4 @@
-#include "materials/law_point.hpp"
+#include "materials/element/law_point.hpp"
 
 #include "core/base/error.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/interface/elastic_solid.hpp"
+#include "materials/kit/elastic_solid.hpp"
 
 namespace riedel {
 

@@ -2,7 +2,7 @@
 /// of stress, or a combination of them, is to become.
 #pragma once
 
-#include "materials/law_point.hpp"
+#include "materials/element/law_point.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "materials/umat_guard.hpp"
+#include "materials/umat/guard.hpp"
 
 #include <array>
 #include <atomic>

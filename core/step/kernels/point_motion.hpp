@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/state/points.hpp"
-#include "core/step/gather.hpp"
+#include "core/step/kernels/gather.hpp"
 #include "core/step/model.hpp"
 #include "core/step/pack_matrix.hpp"
 

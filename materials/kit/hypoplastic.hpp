@@ -4,7 +4,7 @@
 /// intergranular strain.
 #pragma once
 
-#include "materials/sand.hpp"
+#include "materials/kit/sand.hpp"
 
 namespace riedel {
 

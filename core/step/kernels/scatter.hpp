@@ -1,8 +1,8 @@
 /// The inner loop from points to grid: from eight points to the nodes of their stencils.
 #pragma once
 
+#include "core/step/kernels/stencil_walk.hpp"
 #include "core/step/slab_order.hpp"
-#include "core/step/stencil_walk.hpp"
 
 namespace riedel {
 

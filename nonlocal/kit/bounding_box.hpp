@@ -8,16 +8,16 @@
 namespace riedel {
 
 template <int Dim>
-struct Box {
+struct BoundingBox {
   Vec<Dim> lower, upper; ///< corners [m]; the upper one is infinite when a number in the box is none
 };
 
 /// Of positions(a, p) − since(a, p), or of the positions alone when `since` is null; `boxes` is working space.
 template <int Dim>
-Box<Dim> box_of(const Columns& positions, const Columns* since, std::vector<Box<Dim>>& boxes) {
+BoundingBox<Dim> bounding_box(const Columns& positions, const Columns* since, std::vector<BoundingBox<Dim>>& boxes) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto of_block = [&](Range block) {
-    Box<Dim> box;
+    BoundingBox<Dim> box;
     for (int a = 0; a < Dim; ++a) {
       const double *x = positions[a], *x_0 = since ? (*since)[a] : nullptr;
       Pack lower(infinity), upper(-infinity), wrong(0.0);
@@ -38,10 +38,10 @@ Box<Dim> box_of(const Columns& positions, const Columns* since, std::vector<Box<
     }
     return box;
   };
-  const auto both = [](const Box<Dim>& a, const Box<Dim>& b) {
-    return Box<Dim>{a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+  const auto both = [](const BoundingBox<Dim>& a, const BoundingBox<Dim>& b) {
+    return BoundingBox<Dim>{a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
   };
-  const Box<Dim> nothing{Vec<Dim>::Constant(infinity), Vec<Dim>::Constant(-infinity)};
+  const BoundingBox<Dim> nothing{Vec<Dim>::Constant(infinity), Vec<Dim>::Constant(-infinity)};
   return reduce_blocks(positions.size(), boxes, nothing, of_block, both);
 }
 

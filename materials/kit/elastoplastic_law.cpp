@@ -1,4 +1,4 @@
-#include "core/interface/elastoplastic_law.hpp"
+#include "materials/kit/elastoplastic_law.hpp"
 
 namespace riedel {
 

@@ -1,7 +1,7 @@
 /// The inner loop from grid to points: what eight points gather over the nodes of their stencils.
 #pragma once
 
-#include "core/step/stencil_walk.hpp"
+#include "core/step/kernels/stencil_walk.hpp"
 
 namespace riedel {
 

@@ -3,7 +3,7 @@
 /// docs/theory/gudehus_bauer.md, where (8) brings the factors into the form used here.
 #pragma once
 
-#include "core/interface/rate_law.hpp"
+#include "materials/kit/rate_law.hpp"
 
 namespace riedel {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/interface/shape_function.hpp"
-#include "shapefunctions/product_stencil.hpp"
+#include "shapefunctions/kit/product_stencil.hpp"
 
 namespace riedel {
 

@@ -1,4 +1,4 @@
-#include "materials/point_driver.hpp"
+#include "materials/element/point_driver.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/parameters.hpp"

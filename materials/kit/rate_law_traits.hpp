@@ -1,7 +1,7 @@
 /// What RateLaw and a law tell each other, and what RateLaw finds out about the law it integrates.
 #pragma once
 
-#include "core/interface/batch_group.hpp"
+#include "materials/kit/batch_group.hpp"
 
 namespace riedel {
 

@@ -1,4 +1,4 @@
-#include "core/interface/rate_law.hpp"
+#include "materials/kit/rate_law.hpp"
 
 namespace riedel {
 

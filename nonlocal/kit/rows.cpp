@@ -1,4 +1,4 @@
-#include "nonlocal/rows.hpp"
+#include "nonlocal/kit/rows.hpp"
 
 #include "core/base/pack.hpp"
 
