@@ -6,6 +6,8 @@
 #include "core/step/locate.hpp"
 #include "core/step/stress_update.hpp"
 
+#include <tuple>
+
 namespace riedel {
 
 namespace {
@@ -36,6 +38,37 @@ void check_state_columns(const State<Dim>& state) {
   }
 }
 
+template <int Dim>
+void check_model(const Model<Dim>& model, const Grid<Dim>& grid) {
+  if (model.scheme == nullptr) throw InputError("the model has no interpolation scheme");
+  if (model.step == nullptr) throw InputError("the model has no step; take musl_step, usl_step or usf_step");
+  for (int a = 0; a < Dim; ++a)
+    if (!(grid.cell[a] > 0.0) || grid.nodes[a] < 2)
+      throw InputError("the grid has " + std::to_string(grid.nodes[a]) + " nodes along axis " + std::to_string(a) +
+                       ", " + exact_text(grid.cell[a]) + " m apart; allowed: 2 nodes and more, more than 0 m apart");
+}
+
+/// A point without mass, volume or extent would be divided by.
+template <int Dim>
+void check_points(const State<Dim>& state) {
+  if (state.bodies.empty()) throw InputError("a simulation needs a body");
+  for (const Body<Dim>& body : state.bodies) {
+    const Points<Dim>& points = body.points;
+    if (body.material == nullptr) throw InputError("body '" + body.name + "' has no material");
+    if (points.size() == 0) throw InputError("body '" + body.name + "' has no points");
+    for (const auto& [name, unit, column] : {std::tuple{"mass", Dim == 2 ? "kg/m" : "kg", &points.mass},
+                                             {"volume", Dim == 2 ? "m2" : "m3", &points.volume},
+                                             {"initial volume", Dim == 2 ? "m2" : "m3", &points.initial_volume},
+                                             {"half size", "m", &points.half_size}})
+      for (int a = 0; a < column->components(); ++a)
+        for (Index p = 0; p < points.size(); ++p)
+          if (const double x = (*column)[a][p]; !(x > 0.0) || !std::isfinite(x))
+            throw InputError("body '" + body.name + "', point " +
+                             std::to_string(points.id[static_cast<std::size_t>(p)]) + ": its " + name + " is " +
+                             exact_text(x) + " " + unit + "; allowed: more than 0");
+  }
+}
+
 /// Volumes that fade nearly as fast as stresses feed energy in.
 void check_filter(const StressFilter& filter, bool slopes_follow_weights) {
   if (!filter.on()) return;
@@ -52,6 +85,8 @@ void check_filter(const StressFilter& filter, bool slopes_follow_weights) {
 
 template <int Dim>
 Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::move(model)), state_(std::move(state)) {
+  check_model(model_, state_.grid);
+  check_points(state_);
   check_state_columns(state_);
   if (model_.transfer == VelocityTransfer::apic && !model_.scheme->spreads_points())
     throw InputError(

@@ -91,4 +91,4 @@ private:
 
 } // namespace riedel
 
-#include "materials/kit/elastoplastic_integration.hpp"
+#include "materials/kit/elastoplastic_integration.ipp"

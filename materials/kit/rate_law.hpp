@@ -117,5 +117,5 @@ private:
 
 } // namespace riedel
 
-#include "materials/kit/rate_law_integration.hpp"
-#include "materials/kit/rate_law_substeps.hpp"
+#include "materials/kit/rate_law_integration.ipp"
+#include "materials/kit/rate_law_substeps.ipp"

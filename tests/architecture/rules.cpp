@@ -50,6 +50,7 @@ const std::map<std::string, Names>& rooms_in_sight() {
       {"core/state", {"core/base"}},
       {"core/interface", {"core/base", "core/state"}},
       {"core/step", {"core/base", "core/state", "core/interface"}},
+      {"core/setup", {"core/base", "core/state", "core/interface", "core/step"}},
       {"core/io", {"core/base", "core/state", "core/interface", "core/step"}},
       {"shapefunctions/kit", {"core/base", "core/state", "core/interface"}},
       {"shapefunctions", {"core/base", "core/state", "core/interface", "shapefunctions/kit"}},
@@ -178,7 +179,7 @@ Offences names_in_core(const SourceFile& file, const std::vector<std::string>& n
 
 Offences files_too_long(const SourceFile& file) {
   const auto lines = std::ranges::count(file.text, '\n');
-  const int allowed = file.path.ends_with(".hpp") ? 140 : 280;
+  const int allowed = file.path.ends_with(".cpp") ? 280 : 140;
   if (lines <= allowed) return {};
   return {file.path + ": " + std::to_string(lines) + " lines, of " + std::to_string(allowed) + " allowed"};
 }

@@ -13,7 +13,7 @@ std::vector<SourceFile> read_tree(const std::string& root) {
   for (const char* folder : {"core", "shapefunctions", "materials", "nonlocal", "apps", "tests"}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(root) / folder)) {
       const fs::path extension = entry.path().extension();
-      if (extension != ".hpp" && extension != ".cpp") continue;
+      if (extension != ".hpp" && extension != ".ipp" && extension != ".cpp") continue;
       std::ifstream stream(entry.path());
       files.push_back({fs::relative(entry.path(), root).generic_string(),
                        {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}});

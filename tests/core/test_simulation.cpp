@@ -13,6 +13,40 @@ TEST(Simulation, RefusesPointsWithoutTheStateThatTheirLawDeclares) {
   EXPECT_THROW(Simulation<2>(model_with<2>("gimp"), std::move(state)), InputError);
 }
 
+/// Why a block of elastic points is refused once `spoil` has changed it.
+template <class Spoil>
+std::string refusal(const Spoil& spoil) {
+  State<2> state = elastic_state<2>({4, 4}, 0.01, 1, 3, [](const Vec<2>&) { return true; });
+  Model<2> model = model_with<2>("gimp");
+  spoil(state, model);
+  try {
+    const Simulation<2> simulation(std::move(model), std::move(state));
+  } catch (const InputError& error) { return error.what(); }
+  return "no error";
+}
+
+TEST(Simulation, RefusesAPointWithoutMassVolumeOrExtentAndNamesIt) {
+  EXPECT_EQ(refusal([](State<2>&, Model<2>&) {}), "no error");
+  EXPECT_EQ(refusal([](State<2>& s, Model<2>&) { s.bodies[0].points.mass[0][7] = 0.0; }),
+            "body 'body', point 7: its mass is 0.0 kg/m; allowed: more than 0");
+  EXPECT_EQ(refusal([](State<2>& s, Model<2>&) { s.bodies[0].points.volume[0][3] = -2.0; }),
+            "body 'body', point 3: its volume is -2.0 m2; allowed: more than 0");
+  EXPECT_EQ(refusal([](State<2>& s, Model<2>&) { s.bodies[0].points.initial_volume[0][3] = 0.0; }),
+            "body 'body', point 3: its initial volume is 0.0 m2; allowed: more than 0");
+  EXPECT_THAT(refusal([](State<2>& s, Model<2>&) { s.bodies[0].points.half_size[1][15] = std::nan(""); }),
+              testing::HasSubstr("body 'body', point 15: its half size is "));
+}
+
+TEST(Simulation, RefusesWhatCannotBegin) {
+  EXPECT_EQ(refusal([](State<2>& s, Model<2>&) { s.bodies.clear(); }), "a simulation needs a body");
+  EXPECT_EQ(refusal([](State<2>& s, Model<2>&) { s.bodies[0].points.resize(0, 0); }), "body 'body' has no points");
+  EXPECT_EQ(refusal([](State<2>& s, Model<2>&) { s.bodies[0].material = nullptr; }), "body 'body' has no material");
+  EXPECT_EQ(refusal([](State<2>&, Model<2>& m) { m.scheme = nullptr; }), "the model has no interpolation scheme");
+  EXPECT_THAT(refusal([](State<2>&, Model<2>& m) { m.step = nullptr; }), testing::StartsWith("the model has no step"));
+  EXPECT_THAT(refusal([](State<2>& s, Model<2>&) { s.grid.cell[1] = 0.0; }),
+              testing::HasSubstr("along axis 1, 0.0 m apart"));
+}
+
 class StartOutsideTheGrid : public testing::TestWithParam<std::string> {};
 
 TEST_P(StartOutsideTheGrid, IsRefusedWithThePointAndTheGrid) {

@@ -1,6 +1,5 @@
-/// The bodies of RateLaw's member functions for points integrated alone; included by rate_law.hpp alone, after the
+/// The bodies of RateLaw's member functions for points integrated alone; part of rate_law.hpp, after the
 /// class.
-#pragma once
 
 namespace riedel {
 

@@ -1,5 +1,4 @@
-/// The bodies of RateLaw's member functions; included by rate_law.hpp alone, after the class.
-#pragma once
+/// The bodies of RateLaw's member functions; part of rate_law.hpp, after the class.
 
 namespace riedel {
 

@@ -1,5 +1,4 @@
-/// The bodies of ElastoplasticLaw's member functions; included by elastoplastic_law.hpp alone, after the class.
-#pragma once
+/// The bodies of ElastoplasticLaw's member functions; part of elastoplastic_law.hpp, after the class.
 
 namespace riedel {
 

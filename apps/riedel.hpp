@@ -1,0 +1,46 @@
+/// The front door for a program of your own: `#include <riedel/riedel.hpp>`, `riedel::core` and `riedel::io` of
+/// `find_package(riedel COMPONENTS io)`. docs/howto/write_a_program.md walks through one.
+#pragma once
+
+#include "core/io/history.hpp"
+#include "core/io/snapshot.hpp"
+#include "core/io/vtk_writer.hpp"
+#include "core/setup/fill.hpp"
+#include "core/setup/walls.hpp"
+#include "core/step/musl.hpp"
+#include "core/step/simulation.hpp"
+#include "core/step/usf.hpp"
+#include "core/step/usl.hpp"
+#include "materials/kit/elastic_solid.hpp"
+#include "materials/kit/rate_law.hpp"
+#include "materials/register.hpp"
+#include "nonlocal/register.hpp"
+#include "shapefunctions/register.hpp"
+
+namespace riedel {
+
+/// The schemes, laws, searches and averagers that come with the library.
+inline Catalogue built_in() {
+  Catalogue all;
+  register_shape_functions(all.in_2d.schemes);
+  register_shape_functions(all.in_3d.schemes);
+  register_nonlocal(all.in_2d);
+  register_nonlocal(all.in_3d);
+  register_materials(all.materials);
+  return all;
+}
+
+/// Something of a catalogue by name, with its defaults but for what `with` says.
+/// @throws InputError for a name, a key or a value that does not exist there
+template <class Make>
+auto make(const Registry<Make>& registry, const std::string& name, const std::map<std::string, Value>& with = {}) {
+  const auto& entry = registry.find(name);
+  Values values(entry.description.parameters);
+  for (const auto& [key, value] : with) {
+    if (!values.has(key)) throw InputError(registry.kind() + " '" + name + "' has no parameter '" + key + "'");
+    values.set(key, value);
+  }
+  return entry.make(values);
+}
+
+} // namespace riedel

@@ -1,0 +1,41 @@
+/// Points and grids from places in metres.
+#pragma once
+
+#include "core/step/state.hpp"
+
+#include <string>
+
+namespace riedel {
+
+/// Whether a place belongs to a body.
+template <int Dim>
+using Shape = std::function<bool(const Vec<Dim>& place)>;
+
+/// Points at the middle of boxes that stand side by side.
+template <int Dim>
+struct Lattice {
+  Vec<Dim> corner = Vec<Dim>::Zero(); ///< of the first box [m]
+  Vec<Dim> spacing;                   ///< size of a box [m]
+  Counts<Dim> count;                  ///< boxes along each axis
+};
+
+/// Puts points on those places of a lattice that the shape holds, all of them if there is none, the first axis fastest:
+/// position, half size, volume (per metre of depth in the plane) and volume at the start. All else is zero.
+/// @param states columns of state that the points' law declares
+template <int Dim>
+void fill(Points<Dim>& points, const Lattice<Dim>& lattice, int states, const Shape<Dim>& holds = nullptr);
+
+/// A grid with lines through the corners of a box, and `margin` layers of cells around it.
+/// @throws InputError unless the box holds whole cells, to a millionth
+template <int Dim>
+Grid<Dim> grid_around(const Vec<Dim>& lower, const Vec<Dim>& upper, double cell, Index margin);
+
+/// A body at rest and without stress: `per_cell` points along each axis in every cell of the grid whose place the shape
+/// holds, with mass and state from its law.
+/// @param state of every point, one number for each column; empty: the law's initial state
+/// @throws InputError if the shape holds no place, or the state has not as many numbers as the law declares
+template <int Dim>
+Body<Dim> make_body(std::string name, std::shared_ptr<const Material> law, const Grid<Dim>& grid, Index per_cell,
+                    const Shape<Dim>& holds, std::vector<double> state = {});
+
+} // namespace riedel

@@ -1,0 +1,53 @@
+#include "core/setup/walls.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/parameters.hpp"
+
+#include <cmath>
+
+namespace riedel {
+
+namespace {
+
+/// The row of nodes there.
+template <int Dim>
+Index row_at(const Grid<Dim>& grid, const std::string& wall, int axis, double place) {
+  const double rows = (place - grid.origin[axis]) / grid.cell[axis], row = std::round(rows);
+  const double last = grid.nodes[static_cast<std::size_t>(axis)] - 1;
+  if (std::abs(rows - row) <= 1e-6 && row >= 0.0 && row <= last) return static_cast<Index>(row);
+  const auto line = [&](double number) {
+    return exact_text(grid.origin[axis] + std::clamp(number, 0.0, last) * grid.cell[axis]) + " m";
+  };
+  throw InputError("wall '" + wall + "' at " + exact_text(place) + " m along axis " + std::to_string(axis) +
+                   " lies on no line of the grid; the lines beside it are at " + line(std::floor(rows)) + " and " +
+                   line(std::ceil(rows)));
+}
+
+} // namespace
+
+template <int Dim>
+NodeCondition<Dim> smooth_wall(const Grid<Dim>& grid, std::string name, int axis, double place, Behind behind) {
+  NodeCondition<Dim> wall{.name = std::move(name), .axis = axis, .velocity = [](double) { return 0.0; }};
+  for (std::size_t a = 0; a < Dim; ++a) wall.last[a] = grid.nodes[a] - 1;
+  const Index row = row_at(grid, wall.name, axis, place);
+  (behind == Behind::lower ? wall.last : wall.first)[static_cast<std::size_t>(axis)] = row;
+  return wall;
+}
+
+template <int Dim>
+std::vector<NodeCondition<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place,
+                                           Behind behind) {
+  std::vector<NodeCondition<Dim>> all;
+  for (int held = 0; held < Dim; ++held) {
+    all.push_back(smooth_wall(grid, name + "_" + "xyz"[held], axis, place, behind));
+    all.back().axis = held;
+  }
+  return all;
+}
+
+template NodeCondition<2> smooth_wall<2>(const Grid<2>&, std::string, int, double, Behind);
+template NodeCondition<3> smooth_wall<3>(const Grid<3>&, std::string, int, double, Behind);
+template std::vector<NodeCondition<2>> rough_wall<2>(const Grid<2>&, const std::string&, int, double, Behind);
+template std::vector<NodeCondition<3>> rough_wall<3>(const Grid<3>&, const std::string&, int, double, Behind);
+
+} // namespace riedel
