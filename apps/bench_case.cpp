@@ -1,6 +1,7 @@
 #include "apps/bench_case.hpp"
 
 #include "apps/velocity_transfers.hpp"
+#include "core/setup/fill.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
@@ -26,25 +27,6 @@ Mat<Dim> direction() {
   L << 0.3, 0.5, 0.1, 0.2, -0.7, 0.0, 0.0, 0.3, -0.2;
   const Mat<Dim> part = L.template topLeftCorner<Dim, Dim>();
   return part / (0.5 * (part + part.transpose())).norm();
-}
-
-template <int Dim>
-void fill_block(Points<Dim>& points, const Counts<Dim>& cells, Index per_cell, int states) {
-  // Off the nodes by a tenth of a cell: points see all nodes of their supports, and no node holds a sliver of mass.
-  const double spacing = block::cell / per_cell, offset = 0.1 * block::cell;
-  Index all = 1;
-  for (const Index n : cells) all *= n * per_cell;
-  points.resize(all, states);
-  for (Index p = 0; p < all; ++p) {
-    Index rest = p;
-    for (int a = 0; a < Dim; ++a) {
-      const Index count = cells[a] * per_cell;
-      points.position[a][p] = offset + (rest % count + 0.5) * spacing;
-      points.half_size[a][p] = 0.5 * spacing;
-      rest /= count;
-    }
-    points.volume[0][p] = points.initial_volume[0][p] = std::pow(spacing, Dim);
-  }
 }
 
 template <int Dim>
@@ -118,7 +100,10 @@ Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) 
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "block";
   body.material = law.make(Values(law.description.parameters));
-  fill_block<Dim>(body.points, cells, wanted.per_cell, state_components(body.material->states()));
+  // Off the nodes by a tenth of a cell: points see all nodes of their supports, and no node holds a sliver of mass.
+  fill<Dim>(body.points,
+            lattice_of<Dim>(cells, state.grid.cell, wanted.per_cell, Vec<Dim>::Constant(0.1 * block::cell)),
+            state_components(body.material->states()));
   set_state_of_start(body);
   std::vector<double> first(static_cast<std::size_t>(body.points.state.components()));
   for (int s = 0; s < body.points.state.components(); ++s) first[static_cast<std::size_t>(s)] = body.points.state[s][0];

@@ -7,6 +7,7 @@
 #include "apps/step_keys.hpp"
 #include "apps/void_ratio_field.hpp"
 #include "apps/weak_zone.hpp"
+#include "core/setup/fill.hpp"
 
 #include <numbers>
 
@@ -91,8 +92,9 @@ Simulation<Dim> make_biaxial(const Values& v, const Catalogue& catalogue) {
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "specimen";
   body.material = std::move(law);
-  fill_box<Dim>(body.points, specimen.cells, specimen.cell, static_cast<Index>(v.integer("specimen.points_per_cell")),
-                Vec<Dim>::Zero(), state_components(body.material->states()));
+  fill<Dim>(body.points,
+            lattice_of<Dim>(specimen.cells, specimen.cell, static_cast<Index>(v.integer("specimen.points_per_cell"))),
+            state_components(body.material->states()));
   set_initial_state(body, v);
   if (!specimen.turn.is_none) turn_points(body.points, specimen.turn);
   set_averager(body, v, catalogue);

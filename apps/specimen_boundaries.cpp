@@ -1,5 +1,7 @@
 #include "apps/specimen_boundaries.hpp"
 
+#include "core/setup/fill.hpp"
+
 namespace riedel {
 
 namespace {
@@ -34,7 +36,7 @@ RigidBody<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& speci
     cells[a] += 2 * overhang[a];
     corner[a] = (a == 1 ? row : -overhang[a]) * specimen.cell[a];
   }
-  fill_box<Dim>(platen.points, cells, specimen.cell, 1, corner, 0);
+  fill<Dim>(platen.points, lattice_of<Dim>(cells, specimen.cell, 1, corner), 0);
   return platen;
 }
 
@@ -45,7 +47,8 @@ void set_turned_platens(State<Dim>& state, const SpecimenGeometry<Dim>& s, const
   if constexpr (Dim == 2) {
     state.rigid_bodies.push_back(rigid_platen<2>("bottom", s, -2, still));
     RigidBody<2> pin{.name = "pin", .axis = 0, .velocity = still};
-    fill_box<2>(pin.points, {1, 1}, s.cell, 1, Vec<2>(0.5 * (s.size[0] - s.cell[0]), -0.5 * s.cell[1]), 0);
+    const Vec<2> corner(0.5 * (s.size[0] - s.cell[0]), -0.5 * s.cell[1]);
+    fill<2>(pin.points, lattice_of<2>({1, 1}, s.cell, 1, corner), 0);
     state.rigid_bodies.push_back(std::move(pin));
     state.rigid_bodies.push_back(rigid_platen<2>("top", s, s.cells[1], down));
     for (RigidBody<2>& body : state.rigid_bodies) {

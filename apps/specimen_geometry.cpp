@@ -94,27 +94,9 @@ PointRows::PointRows(const Values& values) {
   in_layer = in_row * static_cast<std::size_t>(cells[1]) * per_cell;
 }
 
-template <int Dim>
-void fill_box(Points<Dim>& points, const Counts<Dim>& cells, const Vec<Dim>& cell, Index per_cell,
-              const Vec<Dim>& corner, int states) {
-  const Vec<Dim> spacing = cell / per_cell;
-  Index all = 1;
-  for (const Index n : cells) all *= n * per_cell;
-  points.resize(all, states);
-  for (Index p = 0; p < all; ++p) {
-    for (int a = 0, rest = p; a < Dim; rest /= cells[a] * per_cell, ++a) {
-      points.position[a][p] = corner[a] + (rest % (cells[a] * per_cell) + 0.5) * spacing[a];
-      points.half_size[a][p] = 0.5 * spacing[a];
-    }
-    points.volume[0][p] = points.initial_volume[0][p] = spacing.prod();
-  }
-}
-
 template void turn_points<2>(Points<2>&, const Turn&);
 template void turn_points<3>(Points<3>&, const Turn&);
 template struct SpecimenGeometry<2>;
 template struct SpecimenGeometry<3>;
-template void fill_box<2>(Points<2>&, const Counts<2>&, const Vec<2>&, Index, const Vec<2>&, int);
-template void fill_box<3>(Points<3>&, const Counts<3>&, const Vec<3>&, Index, const Vec<3>&, int);
 
 } // namespace riedel

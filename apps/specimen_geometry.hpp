@@ -47,9 +47,4 @@ struct PointRows {
   explicit PointRows(const Values& values);
 };
 
-/// Fills a box from `corner` on with points, `per_cell` along each direction of a cell.
-template <int Dim>
-void fill_box(Points<Dim>& points, const Counts<Dim>& cells, const Vec<Dim>& cell, Index per_cell,
-              const Vec<Dim>& corner, int states);
-
 } // namespace riedel

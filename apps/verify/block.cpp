@@ -1,5 +1,6 @@
 #include "apps/verify/block.hpp"
 
+#include "core/setup/fill.hpp"
 #include "core/step/musl.hpp"
 
 namespace riedel {
@@ -8,25 +9,11 @@ namespace {
 
 template <int Dim>
 void place_points(Points<Dim>& points, const VerifyBlock<Dim>& block, int per_cell, const Material& law) {
-  const Vec<Dim> spacing = block.cell / per_cell * block.filled;
-  const double volume = spacing.prod();
-  Grid<Dim> lattice{.origin = 0.5 * spacing, .cell = spacing};
-  for (std::size_t a = 0; a < Dim; ++a) lattice.nodes[a] = block.cells[a] * per_cell;
-  std::vector<Vec<Dim>> places;
-  for (Index i = 0; i < lattice.node_count(); ++i) {
-    const Vec<Dim> x = lattice.position(lattice.index(i));
-    if (block.holds == nullptr || block.holds(x)) places.push_back(x);
-  }
-  points.resize(static_cast<Index>(places.size()), state_components(law.states()));
+  Lattice<Dim> lattice{.spacing = block.cell / per_cell * block.filled, .count = block.cells};
+  for (Index& n : lattice.count) n *= per_cell;
+  fill<Dim>(points, lattice, state_components(law.states()), block.holds);
   const double density = law.density(std::vector<double>(static_cast<std::size_t>(points.state.components())));
-  for (Index p = 0; p < points.size(); ++p) {
-    for (int a = 0; a < Dim; ++a) {
-      points.position[a][p] = places[static_cast<std::size_t>(p)][a];
-      points.half_size[a][p] = 0.5 * spacing[a];
-    }
-    points.volume[0][p] = points.initial_volume[0][p] = volume;
-    points.mass[0][p] = density * volume;
-  }
+  for (Index p = 0; p < points.size(); ++p) points.mass[0][p] = density * points.volume[0][p];
 }
 
 } // namespace

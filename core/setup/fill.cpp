@@ -55,8 +55,9 @@ Body<Dim> make_body(std::string name, std::shared_ptr<const Material> law, const
   if (static_cast<int>(state.size()) != declared)
     throw InputError("body '" + name + "': its state has " + std::to_string(state.size()) +
                      " numbers, its law declares " + std::to_string(declared));
-  Lattice<Dim> lattice{.corner = grid.origin, .spacing = grid.cell / per_cell, .count = grid.nodes};
-  for (Index& n : lattice.count) n = (n - 1) * per_cell;
+  Counts<Dim> cells = grid.nodes;
+  for (Index& n : cells) --n;
+  const Lattice<Dim> lattice = lattice_of<Dim>(cells, grid.cell, per_cell, grid.origin);
   Body<Dim> body;
   fill<Dim>(body.points, lattice, declared, holds);
   if (body.points.size() == 0)

@@ -19,6 +19,14 @@ struct Lattice {
   Counts<Dim> count;                  ///< boxes along each axis
 };
 
+/// The lattice of `per_cell` points along each axis of a cell, in a box of cells.
+template <int Dim>
+Lattice<Dim> lattice_of(Counts<Dim> cells, const Vec<Dim>& cell, Index per_cell,
+                        const Vec<Dim>& corner = Vec<Dim>::Zero()) {
+  for (Index& n : cells) n *= per_cell;
+  return {.corner = corner, .spacing = cell / per_cell, .count = cells};
+}
+
 /// Puts points on those places of a lattice that the shape holds, all of them if there is none, the first axis fastest:
 /// position, half size, volume (per metre of depth in the plane) and volume at the start. All else is zero.
 /// @param states columns of state that the points' law declares
