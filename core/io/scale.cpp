@@ -36,7 +36,8 @@ std::vector<double> round_ticks(const Interval& interval, int about) {
   const double slack = 1e-9 * interval.width(), first = std::ceil((interval.low - slack) / step);
   std::vector<double> ticks;
   for (int k = 0; (first + k) * step <= interval.high + slack; ++k) ticks.push_back((first + k) * step);
-  return ticks;
+  constexpr int most = 16; // one alone says nothing of the scale
+  return ticks.size() < 2 && 2 * about <= most ? round_ticks(interval, 2 * about) : ticks;
 }
 
 namespace {
@@ -68,7 +69,7 @@ std::string plain_number(double value) {
 std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   double largest = 0;
   for (double tick : ticks) largest = std::max(largest, std::abs(tick));
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : std::max(largest, 1e-300);
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : largest > 0 ? largest : 1.0;
   const bool powers = largest >= 1e5 || (largest > 0 && largest < 1e-3);
   const double unit = powers ? std::pow(10.0, std::floor(std::log10(largest) + 1e-9)) : 1;
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step / unit) + 0.05)));

@@ -244,5 +244,22 @@ TEST_F(ElementProgram, ChecksItsCasesToo) {
   EXPECT_TRUE(schema["properties"]["stage"]["items"]["properties"]["leg"]["items"]["properties"].contains("tau"));
 }
 
+TEST_F(ElementProgram, FiltersStressesOfASpecimenWhenItIsAskedTo) {
+  Words words{"oedometer",
+              "--driver",
+              "mpm",
+              "--set",
+              "loading.final_strain=0.002",
+              "--set",
+              "output.plots=false",
+              "--set",
+              "time.stress_filter_order=8"};
+  const Outcome without = element("without", words);
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("8 means nothing to a filter without a rate"));
+  words.insert(words.end(), {"--set", "time.stress_filter=auto"});
+  EXPECT_EQ(element("with", words).code, 0);
+}
+
 } // namespace
 } // namespace riedel::test

@@ -169,6 +169,8 @@ TEST(Ticks, AreRoundAndWithinTheInterval) {
   EXPECT_THAT(tick_labels(round_ticks({0, 0.0507}, 6)), ElementsAre("0.00", "0.01", "0.02", "0.03", "0.04", "0.05"));
   EXPECT_THAT(tick_labels(round_ticks({-12, 31}, 4)), ElementsAre("−10", "0", "10", "20", "30"));
   EXPECT_THAT(tick_labels(round_ticks({0.1, 0.3}, 4)), ElementsAre("0.10", "0.15", "0.20", "0.25", "0.30"));
+  EXPECT_THAT(tick_labels({0.0}), ElementsAre("0")) << "alone";
+  EXPECT_THAT(tick_labels(round_ticks({-7, 45}, 1)), ElementsAre("0", "20", "40")) << "never one alone";
   EXPECT_THAT(tick_labels(round_ticks({0, 3e5}, 3)), ElementsAre("0", "1e5", "2e5", "3e5"));
 }
 
