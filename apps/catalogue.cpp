@@ -1,9 +1,7 @@
 #include "apps/catalogue.hpp"
 
+#include "apps/riedel.hpp"
 #include "core/base/error.hpp"
-#include "materials/register.hpp"
-#include "nonlocal/register.hpp"
-#include "shapefunctions/register.hpp"
 
 #include <cstdlib>
 #include <sstream>
@@ -53,15 +51,7 @@ void add(Inventory& all, const fs::path& path) {
 
 } // namespace
 
-Catalogue full_catalogue() {
-  Catalogue catalogue;
-  register_shape_functions(catalogue.in_2d.schemes);
-  register_shape_functions(catalogue.in_3d.schemes);
-  register_nonlocal(catalogue.in_2d);
-  register_nonlocal(catalogue.in_3d);
-  register_materials(catalogue.materials);
-  return catalogue;
-}
+Catalogue full_catalogue() { return built_in(); }
 
 Inventory inventory(const std::vector<std::string>& named) {
   Inventory all{.catalogue = full_catalogue(), .plugins = {}};

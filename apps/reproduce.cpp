@@ -57,9 +57,6 @@ struct Reproduction {
   std::vector<Told> told;
 };
 
-/// By the paper's figures; of each those of every way together.
-void sort_by_figure(std::vector<FigurePart>& parts) { std::ranges::stable_sort(parts, {}, &FigurePart::figure); }
-
 Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figures& figures,
                              const Catalogue& catalogue) {
   Reproduction found{.curves = element_figures(figures, catalogue), .specimens = {}, .told = {}};
@@ -75,7 +72,7 @@ Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figure
     move_to(found.specimens, specimen_figures(results));
   }
   move_to(found.curves, experiment_figures(ways));
-  sort_by_figure(found.curves);
+  std::ranges::stable_sort(found.curves, {}, &FigurePart::figure); // those of every way together
   return found;
 }
 

@@ -13,8 +13,8 @@ std::vector<std::pair<std::string, std::string>> provenance(const std::string& c
 /// Curves, fields, tables of everything that the campaign's folder holds.
 Page compare_report(const std::string& title, const std::string& command, Runs runs);
 
-/// The same as PNG files in the campaign's folder: curves.png, and void_ratio_1.png, ... (mean_pressure, rate_norm) with up
-/// to nine specimens each, runs that differ in their scheme alone side by side. @return their names
+/// The same as PNG files in the campaign's folder: curves.png, and void_ratio_1.png, ... (mean_pressure, rate_norm)
+/// with up to nine specimens each, runs that differ in their scheme alone side by side. @return their names
 std::vector<std::string> write_compare_pictures(const std::string& title, Runs runs,
                                                 const std::filesystem::path& folder);
 
