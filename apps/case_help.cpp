@@ -1,12 +1,12 @@
 #include "apps/case_help.hpp"
 
-#include "apps/biaxial_keys.hpp"
-#include "apps/catalogue.hpp"
+#include "apps/built_in.hpp"
 #include "apps/commands.hpp"
-#include "apps/element_keys.hpp"
-#include "apps/key_tables.hpp"
-#include "apps/path_keys.hpp"
+#include "apps/element/keys.hpp"
+#include "apps/kinds.hpp"
 #include "core/base/error.hpp"
+#include "core/case/case_help.hpp"
+#include "core/case/key_tables.hpp"
 
 #include <algorithm>
 
@@ -14,47 +14,8 @@ namespace riedel {
 
 namespace {
 
-/// A name that is wrong has no keys to show.
-void refuse_unknown_names(const CaseFile& given, const Keys& keys) {
-  for (const Finding& error : given.check(keys).errors)
-    for (const char* name : {"scheme", "material.model", "test"})
-      if (error.keys.front() == name) throw InputError(given.lines({error}));
-}
-
-/// Without the options of other schemes, when the case names one.
-Keys keys_of_scheme(Keys keys, const CaseFile& given, const Catalogue& catalogue) {
-  const auto scheme = given.peek_text("scheme");
-  if (!scheme || !catalogue.in_2d.schemes.known(*scheme)) return keys;
-  const Keys& options = catalogue.in_2d.schemes.find(*scheme).description.parameters;
-  std::erase_if(keys, [&](const Key& key) {
-    return key.name.starts_with("interpolation.") && key.name != "interpolation.plugin" &&
-           std::ranges::find(options, key.name.substr(key.name.find('.') + 1), &Key::name) == options.end();
-  });
-  return keys;
-}
-
-std::string whose(const CaseFile& given) {
-  const auto scheme = given.peek_text("scheme");
-  return "with the law " + model_of(given) +
-         (scheme ? " and the scheme " + *scheme : ", and the options of all schemes");
-}
-
-std::string help_of_biaxial(const CaseFile& given) {
-  const Catalogue catalogue = inventory(given).catalogue;
-  const Keys keys = biaxial_keys(catalogue, model_of(given));
-  refuse_unknown_names(given, keys);
-  return keys_help(keys_of_scheme(keys, given, catalogue), whose(given));
-}
-
-std::string help_of_element(const CaseFile& given, const std::string& test) {
-  const Catalogue catalogue = inventory(given).catalogue;
-  const Keys keys = element_keys(catalogue, test, model_of(given));
-  refuse_unknown_names(given, keys);
-  std::string text = keys_help(keys_of_scheme(keys, given, catalogue), whose(given));
-  if (test == "path")
-    text += "\nOf each [[stage]]; docs/howto/element_paths.md tells how they work together\n" +
-            parameters_help(stage_keys("")) + "\nOf each [[stage.leg]]\n" + parameters_help(leg_keys(""));
-  return text;
+std::string help_of(const RunKind& kind, const CaseFile& given) {
+  return kind.cases.help(given, inventory(given).catalogue);
 }
 
 std::string list_of_tests() {
@@ -72,7 +33,7 @@ std::string list_of_tests() {
 } // namespace
 
 std::string biaxial_help(const Arguments& arguments) {
-  return help_of_biaxial(arguments.case_file().without("compare"));
+  return help_of(run_kind("biaxial"), arguments.case_file().without("compare"));
 }
 
 std::string element_help(const Arguments& arguments) {
@@ -83,15 +44,14 @@ std::string element_help(const Arguments& arguments) {
                              "  riedel element path mine.toml\n";
   const std::string& test = arguments.words.front();
   refuse_unknown_names("element test", {test}, element_tests());
-  return help_of_element(arguments.case_file(1), test);
+  CaseFile given = arguments.case_file(1);
+  given.override_with("test=" + test, "riedel element:");
+  return help_of(run_kind("element"), given);
 }
 
 std::string check_help(const Arguments& arguments) {
   const CaseFile given = arguments.case_file().without("compare");
-  const auto test = test_of(given);
-  if (!test) return help_of_biaxial(given);
-  refuse_unknown_names(given.place("test") + ":", {*test}, element_tests());
-  return help_of_element(given, *test);
+  return help_of(kind_of(given), given);
 }
 
 std::string umat_check_help(const Arguments& arguments) {

@@ -1,8 +1,8 @@
 #include "apps/case_kind.hpp"
 
-#include "apps/biaxial_keys.hpp"
-#include "apps/element_keys.hpp"
-#include "apps/path_keys.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/element/keys.hpp"
+#include "apps/element/path_keys.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 /// Which command a case is for: that of the biaxial test, or of an element test.
 #pragma once
 
-#include "apps/checked_case.hpp"
+#include "core/case/checked_case.hpp"
 #include "core/interface/catalogue.hpp"
 
 namespace riedel {

@@ -1,14 +1,10 @@
-#include "apps/biaxial_keys.hpp"
-#include "apps/biaxial_sense.hpp"
-#include "apps/catalogue.hpp"
+#include "apps/built_in.hpp"
 #include "apps/commands.hpp"
-#include "apps/element_keys.hpp"
-#include "apps/key_tables.hpp"
-#include "apps/memory_needed.hpp"
-#include "apps/memory_there.hpp"
-#include "apps/messages.hpp"
-#include "apps/outlook.hpp"
-#include "core/io/case_text.hpp"
+#include "apps/kinds.hpp"
+#include "apps/reference.hpp"
+#include "core/case/case_text.hpp"
+#include "core/io/messages.hpp"
+#include "core/run/memory_there.hpp"
 
 #include <iostream>
 
@@ -17,10 +13,9 @@ namespace riedel {
 namespace {
 
 /// Of what a run would be refused for, or warn of, when it begins.
-void warn_of_run(const CaseFile& given, const Values& values, const Catalogue& catalogue) {
-  for (const Finding& doubt : time_step_doubts(values, expected_work_of(values, catalogue)))
-    print_warning(given.lines({doubt}));
-  const double need = memory_needed(values, catalogue).of_case();
+void warn_of_run(const CaseKind& kind, const CaseFile& given, const Values& values, const Catalogue& catalogue) {
+  for (const Finding& doubt : kind.doubts(values, catalogue)) print_warning(given.lines({doubt}));
+  const double need = kind.expect(values, catalogue).memory;
   const MemoryThere there = memory_there();
   if (need > there.bytes)
     print_warning("a run needs about " + bytes_text(need) + " of memory, and here " + there.by + " " +
@@ -38,18 +33,17 @@ int check(const Arguments& arguments) {
     std::cout << input_reference(catalogue);
     return 0;
   }
-  const auto test = test_of(given);
+  const CaseKind& kind = kind_of(given).cases;
   if (arguments.has("schema")) {
-    std::cout << (test ? element_schema(catalogue, *test) : biaxial_schema(catalogue));
+    std::cout << kind.schema(given, catalogue);
     return 0;
   }
-  const CheckedCase checked = test ? element_case(given, catalogue) : biaxial_case(given, catalogue);
+  const CheckedCase checked = kind.check(given, catalogue);
   for (const std::string& note : checked.notes) print_note(note);
   for (const std::string& warning : checked.warnings) print_warning(warning);
-  if (!test) warn_of_run(given, checked.values, catalogue);
+  warn_of_run(kind, given, checked.values, catalogue);
   std::cout << "# ok\n"
-            << case_text(checked.keys, checked.values)
-            << (test ? element_outlook : biaxial_outlook)(checked.values, catalogue, arguments.threads());
+            << case_text(checked.keys, checked.values) << kind.outlook(checked.values, catalogue, arguments.threads());
   return 0;
 }
 

@@ -1,6 +1,6 @@
 #include "apps/command_help.hpp"
 
-#include "apps/element_keys.hpp"
+#include "apps/element/keys.hpp"
 #include "core/base/error.hpp"
 #include "core/io/suggestion.hpp"
 

@@ -1,8 +1,7 @@
 #include "apps/command_line.hpp"
 
-#include "apps/commit.hpp"
-#include "apps/shell_word.hpp"
 #include "core/base/error.hpp"
+#include "core/io/shell_word.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>
@@ -239,7 +238,5 @@ Arguments parse(const Command& command, const std::vector<std::string>& words, s
                      command.name + " " + command.usage);
   return arguments;
 }
-
-std::string version() { return std::string("riedel " RIEDEL_VERSION " (commit ") + commit() + ")"; }
 
 } // namespace riedel

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/thread_choice.hpp"
-#include "core/io/case_file.hpp"
+#include "core/case/case_file.hpp"
+#include "core/io/version.hpp"
 
 #include <map>
 #include <optional>
@@ -73,7 +74,5 @@ char letter_of(std::string_view option);
 /// @param others that may have an option which this one has not
 /// @throws InputError with a hint when the words do not fit the command
 Arguments parse(const Command& command, const std::vector<std::string>& words, std::span<const Command> others = {});
-
-std::string version(); ///< "riedel 0.2.0 (commit 63db63f)"; what commit() says stands in it
 
 } // namespace riedel

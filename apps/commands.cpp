@@ -1,13 +1,13 @@
 #include "apps/commands.hpp"
 
-#include "apps/bench_options.hpp"
-#include "apps/campaign/script.hpp"
+#include "apps/bench/options.hpp"
+#include "apps/built_in.hpp"
 #include "apps/case_help.hpp"
-#include "apps/catalogue.hpp"
-#include "apps/element_drivers.hpp"
-#include "apps/element_keys.hpp"
+#include "apps/element/drivers.hpp"
+#include "apps/element/keys.hpp"
 #include "apps/reproduce/paper_runs.hpp"
 #include "apps/verify/problem.hpp"
+#include "core/campaign/script.hpp"
 
 namespace riedel {
 
@@ -85,11 +85,12 @@ Options compare_options() {
 }
 
 std::string compare_help(const Arguments&) {
-  return R"(Every combination is a run of the biaxial test in a folder of its own. A run that fails, or cannot begin, is a row
-that says so. A campaign that was stopped, or killed, goes on when the same command is given again. results.csv has a
-row for each run, with every figure of its summary.json; report.html shows curves, fields and tables in a browser.
+  return R"(Every combination is a run in a folder of its own, of the biaxial test, or of the element test that the case names
+(test = "triaxial"). A run that fails, or cannot begin, is a row that says so. A campaign that was stopped, or killed, goes on
+when the same command is given again. results.csv has a row for each run, with every figure of its summary.json; report.html
+shows curves, fields and tables in a browser.
 
-A case file can say what is to be varied, and still is a case of 'riedel biaxial':
+A case file can say what is to be varied, and still is a case of its own command:
 
   [compare]
   title = "Mesh and length"
@@ -99,6 +100,7 @@ A case file can say what is to be varied, and still is a case of 'riedel biaxial
 Examples
   riedel compare --schemes gimp,cpdi --vary nonlocal.length=0,1.5mm --dry-run
   riedel compare mine.toml --schemes all --out results/schemes
+  riedel compare --set test=triaxial --vary specimen.void_ratio=0.6,0.75,0.9
   riedel compare mine.toml --schemes all --script slurm     then sbatch, and at last: riedel collect results/mine
 )";
 }

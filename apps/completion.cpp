@@ -1,9 +1,9 @@
 #include "apps/completion.hpp"
 
-#include "apps/biaxial_keys.hpp"
-#include "apps/catalogue.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/built_in.hpp"
 #include "apps/commands.hpp"
-#include "apps/element_keys.hpp"
+#include "apps/element/keys.hpp"
 
 #include <algorithm>
 #include <map>

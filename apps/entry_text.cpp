@@ -1,6 +1,6 @@
 #include "apps/entry_text.hpp"
 
-#include "apps/key_tables.hpp"
+#include "core/case/key_tables.hpp"
 
 namespace riedel {
 

@@ -1,10 +1,10 @@
 /// riedel list: what can be named in a case.
-#include "apps/biaxial_keys.hpp"
-#include "apps/catalogue.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/built_in.hpp"
 #include "apps/commands.hpp"
 #include "apps/entry_text.hpp"
-#include "apps/key_tables.hpp"
 #include "core/base/error.hpp"
+#include "core/case/key_tables.hpp"
 #include "core/io/suggestion.hpp"
 
 #include <algorithm>

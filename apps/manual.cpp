@@ -1,10 +1,10 @@
 #include "apps/manual.hpp"
 
-#include "apps/biaxial_keys.hpp"
-#include "apps/catalogue.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/built_in.hpp"
 #include "apps/command_help.hpp"
-#include "apps/key_tables.hpp"
-#include "core/io/case_text.hpp"
+#include "core/case/case_text.hpp"
+#include "core/case/key_tables.hpp"
 
 #include <cstdint>
 #include <cstdio>

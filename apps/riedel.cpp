@@ -2,12 +2,12 @@
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/completion.hpp"
-#include "apps/failure.hpp"
 #include "apps/manual.hpp"
-#include "apps/messages.hpp"
 #include "apps/standard_streams.hpp"
 #include "core/base/error.hpp"
+#include "core/io/messages.hpp"
 #include "core/io/suggestion.hpp"
+#include "core/run/failure.hpp"
 
 #include <iostream>
 #include <new>

@@ -1,13 +1,13 @@
 /// riedel umat-check: what a UMAT does, before it is trusted in a run.
-#include "apps/bench_table.hpp"
+#include "apps/built_in.hpp"
 #include "apps/case_kind.hpp"
-#include "apps/catalogue.hpp"
 #include "apps/commands.hpp"
-#include "apps/material_keys.hpp"
-#include "apps/umat_probe.hpp"
 #include "core/base/error.hpp"
+#include "core/case/case_text.hpp"
+#include "core/case/material_keys.hpp"
 #include "core/io/attempt.hpp"
-#include "core/io/case_text.hpp"
+#include "core/io/markdown_table.hpp"
+#include "materials/element/umat_probe.hpp"
 #include "materials/umat.hpp"
 
 #include <iostream>
@@ -33,7 +33,7 @@ namespace {
 std::string text_of(double x) { return short_text(x, 3); }
 
 /// A line of the report: what was looked at, what was found, what it means.
-using Line = Row;
+using Line = TableRow;
 
 /// Of the stress, then of each state variable: what was declared is judged, the rest reported where it stands out.
 std::vector<Line> rotation_lines(const UmatProbe& probe, double tolerance, bool& good) {

@@ -1,8 +1,8 @@
 /// The statements about Figures 8 to 10, each with the rule that decides.
-#include "apps/figure_json.hpp"
 #include "apps/reproduce/band_theory.hpp"
 #include "apps/reproduce/statement_text.hpp"
 #include "apps/reproduce/statements.hpp"
+#include "core/io/figure_json.hpp"
 
 namespace riedel {
 
@@ -67,8 +67,8 @@ Statement two_zones(const PaperResults& r) {
   const bool known = first && last && first->found && last->found;
   return {.where = "Fig. 8B",
           .claim = "two zones start from the imperfection, later one dominates",
-          .measured = known ? "weaker over stronger band " + with_digits(first->conjugate_ratio, 2) + " at " +
-                                  percent(at, 1) + ", " + with_digits(last->conjugate_ratio, 2) +
+          .measured = known ? "weaker over stronger band " + fixed_text(first->conjugate_ratio, 2) + " at " +
+                                  percent(at, 1) + ", " + fixed_text(last->conjugate_ratio, 2) +
                                   " at 5 % (above 0.2, then below 0.1)"
                             : "no band",
           .theory = "",
@@ -110,7 +110,7 @@ Statement inclination(const PaperResults& r, const std::string& run, const std::
   const HomogeneousTest& h = r.homogeneous(void_ratio);
   const BandAngles angles = band_angles(r.figure(run, "phi_peak_deg"), r.dilatancy_at_peak(run));
   return {.where = run == paper_run ? "Figs. 8B, 10" : "Fig. 10",
-          .claim = called + ": θ = " + with_digits(claimed, 0) + (run == paper_run ? "–56°" : "°"),
+          .claim = called + ": θ = " + fixed_text(claimed, 0) + (run == paper_run ? "–56°" : "°"),
           .measured = degrees(theta, 1) + " (±2.5°)",
           .theory = "at the onset " + degrees(h.linear.inclination_deg, 1) + " (linear solid), " +
                     degrees(h.nonlinear.inclination_deg, 1) + " (the law itself); at the peak's φ and ψ Roscoe " +

@@ -1,7 +1,7 @@
 #include "apps/reproduce/element_figures.hpp"
 
-#include "apps/element_drivers.hpp"
-#include "apps/element_keys.hpp"
+#include "apps/element/drivers.hpp"
+#include "apps/element/keys.hpp"
 
 #include <algorithm>
 #include <cmath>

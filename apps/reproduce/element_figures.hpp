@@ -1,7 +1,7 @@
 /// The paper's Figures 2 to 5: element tests at one point.
 #pragma once
 
-#include "apps/element_pictures.hpp"
+#include "apps/element/pictures.hpp"
 #include "apps/reproduce/paper_runs.hpp"
 #include "core/interface/catalogue.hpp"
 

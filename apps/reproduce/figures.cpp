@@ -1,8 +1,9 @@
 #include "apps/reproduce/figures.hpp"
 
-#include "apps/messages.hpp"
+#include "apps/kinds.hpp"
 #include "apps/reproduce/band_theory.hpp"
-#include "core/io/picture.hpp"
+#include "core/draw/picture.hpp"
+#include "core/io/messages.hpp"
 
 #include <algorithm>
 
@@ -75,8 +76,8 @@ Plot void_ratios(const PaperResults& results) {
   const RunResult* run = results.done(paper_run);
   if (run == nullptr) return plot;
   for (const PointCurve& curve : readable_points(*run, results.paper_case())) {
-    Series series{.label = curve.name + ": x = " + with_digits(1e3 * curve.x, 0) +
-                           ", y = " + with_digits(1e3 * curve.y, 0) + " mm",
+    Series series{.label = curve.name + ": x = " + fixed_text(1e3 * curve.x, 0) +
+                           ", y = " + fixed_text(1e3 * curve.y, 0) + " mm",
                   .x = curve.u_over_h,
                   .y = curve.void_ratio};
     for (double& x : series.x) x *= 100.0;
@@ -177,7 +178,9 @@ std::vector<FigurePart> curve_figures(const PaperResults& results) {
   const std::string file = results.filtered() ? "_filtered" : "";
   const std::string way = ", " + results.way().title + (results.filtered() ? "; by the present width." : ".");
   const auto curves = [&](const std::vector<RunResult>& runs, const std::string& title) {
-    return curves_of(runs, title + ", " + results.way().title, results.filtered() ? "phi_true_deg" : "phi_mob_deg");
+    CurveAxes axes = run_kind("biaxial").axes(CaseFile::empty());
+    if (results.filtered()) axes.y = "phi_true_deg";
+    return curves_of(runs, title + ", " + results.way().title, axes);
   };
   if (figures.contains(7))
     parts.push_back({7, "7" + file,
@@ -239,7 +242,7 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
                             .unit = field.unit,
                             .title = "",
                             .subtitle = "",
-                            .label = field.label + std::string(", u/h₀ = ") + with_digits(100 * drawn_strain, 0) + " %",
+                            .label = field.label + std::string(", u/h₀ = ") + fixed_text(100 * drawn_strain, 0) + " %",
                             .range = field_range(frames, field),
                             .width = 2000,
                             .height = 900});

@@ -24,16 +24,16 @@ Statement meshes(const PaperResults& r, const std::string& coarse, const std::st
 Statement time_step(const PaperResults& r, const std::string& mesh) {
   const std::string other = with_fixed_step(mesh);
   const double before = r.distance(mesh, other, settled, 0.012), after = r.distance(mesh, other, from_here, 0.05);
-  return {
-      .where = "Fig. 7",
-      .claim = "no dependence on the time step, " + mesh,
-      .measured = "Δt = " + with_digits(1e6 * r.figure(mesh, "dt_s"), 2) + " µs on average against 1 µs: apart by " +
-                  degrees(before) + " up to 1.2 %, by " + degrees(after) + " from 2 to 5 % (1.5°)",
-      .theory = "",
-      .verdict = decide(!std::isnan(after), before <= 0.5 && after <= 1.5),
-      .reason = r.filtered() ? "past the peak the band is not the same"
-                             : "FLIP damps by the step, so more steps damp more: noise differs, and ‖D‖ takes noise "
-                               "for deformation"};
+  return {.where = "Fig. 7",
+          .claim = "no dependence on the time step, " + mesh,
+          .measured = "Δt = " + fixed_text(1e6 * r.figure(mesh, "dt_s"), 2) + " µs on average against 1 µs: apart by " +
+                      degrees(before) + " up to 1.2 %, by " + degrees(after) + " from 2 to 5 % (1.5°)",
+          .theory = "",
+          .verdict = decide(!std::isnan(after), before <= 0.5 && after <= 1.5),
+          .reason = r.filtered()
+                        ? "past the peak the band is not the same"
+                        : "FLIP damps by the step, so more steps damp more: noise differs, and ‖D‖ takes noise "
+                          "for deformation"};
 }
 
 /// The greatest time step that the paper tried, against h/c.

@@ -1,9 +1,9 @@
 #include "apps/reproduce/paper_results.hpp"
 
-#include "apps/band_report.hpp"
-#include "apps/figure_json.hpp"
 #include "apps/reproduce/band_theory.hpp"
+#include "core/analysis/frame_measures.hpp"
 #include "core/base/error.hpp"
+#include "core/io/figure_json.hpp"
 #include "core/io/vtk_reader.hpp"
 
 #include <Eigen/Cholesky>
@@ -139,11 +139,11 @@ double PaperResults::distance(const std::string& a, const std::string& b, double
 std::optional<ShearBand> PaperResults::band_at(const std::string& run, double u_over_h) const {
   const RunResult* result = done(run);
   if (result == nullptr) return std::nullopt;
-  Values values = case_;
+  BandSettings settings{.length = case_.number("nonlocal.length"), .threshold = case_.number("output.band_void_ratio")};
   for (const auto& [key, value] : result->settings)
-    if (key == "nonlocal.length") values.set(key, std::stod(value));
+    if (key == "nonlocal.length") settings.length = std::stod(value);
   const auto frame = readable_frame(*result, u_over_h);
-  return frame ? std::optional(measure_band(*frame, values)) : std::nullopt;
+  return frame ? std::optional(measure_band(*frame, settings)) : std::nullopt;
 }
 
 double PaperResults::dilation_above(const std::string& run, double u_over_h) const {

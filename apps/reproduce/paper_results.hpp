@@ -1,10 +1,10 @@
 /// What the runs behind the paper's figures gave, and what is read off them.
 #pragma once
 
-#include "apps/report/run_views.hpp"
 #include "apps/reproduce/element_figures.hpp"
-#include "apps/reproduce/homogeneous.hpp"
-#include "apps/shear_band.hpp"
+#include "core/analysis/shear_band.hpp"
+#include "core/campaign/run_views.hpp"
+#include "materials/element/bifurcation.hpp"
 
 namespace riedel {
 

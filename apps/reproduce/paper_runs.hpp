@@ -1,7 +1,7 @@
 /// The biaxial tests behind the paper's Figures 7 to 10.
 #pragma once
 
-#include "apps/vary.hpp"
+#include "core/case/vary.hpp"
 
 #include <set>
 

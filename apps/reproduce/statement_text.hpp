@@ -8,11 +8,11 @@
 
 namespace riedel {
 
-inline std::string degrees(double x, int digits = 2) { return std::isnan(x) ? "–" : with_digits(x, digits) + "°"; }
+inline std::string degrees(double x, int digits = 2) { return std::isnan(x) ? "–" : fixed_text(x, digits) + "°"; }
 inline std::string percent(double x, int digits = 2) {
-  return std::isnan(x) ? "–" : with_digits(100.0 * x, digits) + " %";
+  return std::isnan(x) ? "–" : fixed_text(100.0 * x, digits) + " %";
 }
-inline std::string millimetres(double x) { return std::isnan(x) ? "–" : with_digits(1e3 * x, 2) + " mm"; }
+inline std::string millimetres(double x) { return std::isnan(x) ? "–" : fixed_text(1e3 * x, 2) + " mm"; }
 
 /// Open where a number is missing.
 inline Verdict decide(bool known, bool holds, Verdict otherwise = Verdict::differs) {
@@ -31,7 +31,7 @@ inline Verdict rising(std::vector<double> values, double tolerance) {
 inline std::string list(const std::vector<double>& values, double unit, int digits) {
   std::string text;
   for (const double value : values)
-    text += (text.empty() ? "" : ", ") + (std::isnan(value) ? std::string("–") : with_digits(value / unit, digits));
+    text += (text.empty() ? "" : ", ") + (std::isnan(value) ? std::string("–") : fixed_text(value / unit, digits));
   return text;
 }
 inline std::vector<double> figures(const PaperResults& r, const std::vector<std::string>& runs,

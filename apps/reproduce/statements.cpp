@@ -68,10 +68,10 @@ std::vector<Statement> element_statements(const CriticalState& end) {
       low > 29.5 && high < 30.5 && dense > end.expected_void_ratio - 0.01 && loose < end.expected_void_ratio + 0.01;
   return {{.where = "Figs. 2–5, conclusions",
            .claim = "the material always comes to an asymptotic, critical state",
-           .measured = "triaxial, 500 kPa, ε₁ = 70 %, three e₀: φ " + with_digits(low, 2) + " to " +
-                       with_digits(high, 2) + "°, e " + with_digits(dense, 3) + " to " + with_digits(loose, 3) +
+           .measured = "triaxial, 500 kPa, ε₁ = 70 %, three e₀: φ " + fixed_text(low, 2) + " to " +
+                       fixed_text(high, 2) + "°, e " + fixed_text(dense, 3) + " to " + fixed_text(loose, 3) +
                        " (±0.5°, ±0.01)",
-           .theory = "φ_c = 30°, e_c = " + with_digits(end.expected_void_ratio, 3),
+           .theory = "φ_c = 30°, e_c = " + fixed_text(end.expected_void_ratio, 3),
            .verdict = holds ? Verdict::agrees : Verdict::differs,
            .reason = ""}};
 }

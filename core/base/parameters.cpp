@@ -80,6 +80,12 @@ std::string short_text(double x, int digits) {
   return {buffer.data(), end.ptr};
 }
 
+std::string fixed_text(double x, int digits) {
+  std::array<char, 400> buffer{}; // 309 digits in front of the point at most
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::fixed, digits);
+  return {buffer.data(), end.ptr};
+}
+
 std::string exact_text(double x) {
   std::array<char, 32> buffer{};
   const double size = std::abs(x);

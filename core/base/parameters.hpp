@@ -72,6 +72,8 @@ std::string exact_text(double x);
 
 /// For messages: rounded to so many significant digits.
 std::string short_text(double x, int digits = 3);
+/// With so many digits behind the point.
+std::string fixed_text(double x, int digits);
 
 /// Throws InputError naming the key, the value, the unit and the allowed range for the first value out of bounds.
 void check_bounds(const Keys& keys, const Values& values, std::string_view owner);

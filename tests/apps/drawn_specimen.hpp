@@ -1,7 +1,7 @@
 /// A specimen with bands drawn on it, for tests of what is measured of them.
 #pragma once
 
-#include "apps/shear_band.hpp"
+#include "core/analysis/shear_band.hpp"
 #include "core/base/types.hpp"
 
 #include <cmath>

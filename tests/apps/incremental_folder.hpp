@@ -1,9 +1,9 @@
 /// Files of IncrementalDriver in a folder, and what becomes of them.
 #pragma once
 
-#include "apps/element_keys.hpp"
-#include "apps/element_path.hpp"
-#include "apps/incremental_driver.hpp"
+#include "apps/element/incremental/driver.hpp"
+#include "apps/element/keys.hpp"
+#include "apps/element/path.hpp"
 #include "core/base/error.hpp"
 #include "support/problems.hpp"
 #include "temporary_folder.hpp"

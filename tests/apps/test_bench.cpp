@@ -1,6 +1,6 @@
-#include "apps/bench_options.hpp"
-#include "apps/bench_peers.hpp"
-#include "apps/bench_table.hpp"
+#include "apps/bench/options.hpp"
+#include "apps/bench/peers.hpp"
+#include "apps/bench/table.hpp"
 #include "program.hpp"
 #include "support/problems.hpp"
 

@@ -1,5 +1,5 @@
-#include "apps/bench_bare_kernel.hpp"
-#include "apps/bench_case.hpp"
+#include "apps/bench/bare_kernel.hpp"
+#include "apps/bench/case.hpp"
 #include "materials/gudehus_bauer.hpp"
 #include "materials/linear_elastic.hpp"
 #include "support/problems.hpp"

@@ -1,8 +1,8 @@
 /// `riedel biaxial` when things go wrong: what it tells, how it ends, and that nothing written so far is lost.
-#include "apps/biaxial_keys.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/biaxial/specimen.hpp"
 #include "apps/program.hpp"
 #include "apps/series.hpp"
-#include "apps/specimen.hpp"
 #include "core/base/error.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"

@@ -1,7 +1,7 @@
-#include "apps/biaxial_keys.hpp"
+#include "apps/biaxial/keys.hpp"
 #include "apps/fake_catalogue.hpp"
 #include "core/base/error.hpp"
-#include "core/io/case_text.hpp"
+#include "core/case/case_text.hpp"
 #include "temporary_folder.hpp"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 /// What a biaxial run says of itself when it is short, stopped, or has no band: no zero stands for what does not exist.
-#include "apps/biaxial_report.hpp"
-#include "apps/campaign/results_table.hpp"
+#include "apps/biaxial/report.hpp"
+#include "apps/biaxial/views.hpp"
+#include "apps/kinds.hpp"
 #include "apps/program.hpp"
-#include "apps/report/run_views.hpp"
+#include "core/campaign/results_table.hpp"
 #include "support/csv.hpp"
 
 #include <gmock/gmock.h>
@@ -139,7 +140,7 @@ TEST(Tables, ShowADashOrAnEmptyCellForWhatIsNull) {
                                                  {"inclination_deg", 55.0},
                                                  {"thickness_over_lc", nullptr}})};
   EXPECT_THAT(results_csv(runs), HasSubstr("\none,done,,50.0,0.01,,1.0,10,false,none,,,\n"));
-  EXPECT_THAT(results_text(runs), HasSubstr("residual - deg, no band"));
+  EXPECT_THAT(results_text(run_kind("biaxial"), runs), HasSubstr("residual - deg, no band"));
   const PageTable table = band_table(runs);
   for (std::size_t c = 5; c < table.header.size(); ++c) EXPECT_EQ(table.rows[0].cells[c].text, "–") << table.header[c];
   EXPECT_EQ(table.rows[0].cells[3].text, "–") << "residual angle";

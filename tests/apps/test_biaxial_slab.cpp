@@ -1,8 +1,8 @@
 /// `riedel biaxial` in three dimensions: the same files, numbers per metre of depth, frames with boxes as domains, and
 /// pictures of the plane.
 #include "apps/program.hpp"
-#include "apps/section.hpp"
 #include "apps/series.hpp"
+#include "core/analysis/depth_mean.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"
 

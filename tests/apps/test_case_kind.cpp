@@ -47,8 +47,12 @@ TEST_F(CaseKind, OfAnElementTestIsToldByBiaxialAndTakenByElement) {
   EXPECT_EQ(run(folder_, {"check", shear_}).code, 0);
 }
 
-TEST_F(CaseKind, OfAStudyIsToldToo) {
-  EXPECT_THAT(riedel({"compare", shear_, "--schemes", "gimp"}).err, HasSubstr("'riedel element shear' takes them"));
+TEST_F(CaseKind, DecidesWhatRunsAStudyHas) {
+  const Outcome outcome = riedel({"compare", shear_, "--vary", "specimen.void_ratio=0.6,0.7"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / "void_ratio=0.7" / "element.csv"));
+  EXPECT_THAT(riedel({"compare", shear_, "--vary", "imperfection.factor=0.5,1"}).err,
+              HasSubstr("--vary imperfection.factor: unknown key"));
 }
 
 TEST_F(CaseKind, IsToldForSingleSettings) {

@@ -44,6 +44,42 @@ TEST_F(Compare, LeavesAFolderForEveryRunAndARowInTheTable) {
   EXPECT_THAT(outcome.err, HasSubstr("4 of 4 runs"));
 }
 
+/// Tests at one point, and of a specimen under some schemes.
+TEST_F(Compare, VariesElementTestsAsWell) {
+  const std::string oedometer = folder_.file(
+      "oedometer.toml", "test = \"oedometer\"\n[loading]\nfinal_strain = 0.01\nspeed = 1\n[compare]\n"
+                        "title = \"Both drivers\"\nvary = [\"driver.kind=point,mpm\", \"scheme=gimp,cpdi\"]\n");
+  const Outcome outcome = run(folder_, {"compare", oedometer, "--out", out_.string()});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Rows rows = results();
+  ASSERT_EQ(rows.size(), 4U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("status"), "done");
+    EXPECT_EQ(row.at("test"), "oedometer");
+    EXPECT_GT(std::stod(row.at("sigma_1_final_Pa")), 1e4);
+  }
+  EXPECT_THAT(outcome.out, AllOf(ContainsRegex("peak [0-9.]+ deg at [0-9.]+ %, end "),
+                                 HasSubstr("results.csv, report.html, curves.png\n")));
+  EXPECT_THAT(file_content(out_ / "report.html"), AllOf(HasSubstr("Both drivers"), HasSubstr("strain ε₁ [%]")));
+  const fs::path one = out_ / rows.front().at("run");
+  ASSERT_EQ(
+      run(folder_, {"element", "oedometer", (one / "case.toml").string(), "--out", (folder_ / "alone").string()}).code,
+      0);
+  EXPECT_EQ(file_content(one / "element.csv"), file_content(folder_ / "alone" / "element.csv"));
+  EXPECT_THAT(run(folder_, {"collect", out_.string()}).out, HasSubstr("peak "));
+}
+
+TEST_F(Compare, RefusesToAddRunsOfAnotherKind) {
+  ASSERT_EQ(run(folder_, {"compare", "--set", "test=shear", "--set", "loading.final_strain=0.01", "--vary",
+                          "specimen.void_ratio=0.6,0.8", "--out", out_.string()})
+                .code,
+            0);
+  const Outcome refused = compare({"--vary", "specimen.void_ratio=0.6,0.8"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("holds another campaign"));
+  EXPECT_THAT(refused.err, HasSubstr("its runs are of 'riedel element'"));
+}
+
 TEST_F(Compare, GivesARunTheSameBitsAsTheTestAlone) {
   ASSERT_EQ(compare({"--schemes", "gimp,cpdi", "--vary", "nonlocal.length=0,6e-3", "--threads", "4"}).code, 0);
   const fs::path one = out_ / "scheme=cpdi,length=6e-3";

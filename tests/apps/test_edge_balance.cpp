@@ -1,6 +1,6 @@
 /// Which schemes balance a pressure that points at the sides carry. Tractions are spread by integrated hats, so that
 /// those schemes do whose points sum up the slopes of hats exactly.
-#include "apps/edge_balance.hpp"
+#include "apps/biaxial/edge_balance.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gtest/gtest.h>

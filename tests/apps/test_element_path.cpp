@@ -1,9 +1,9 @@
 /// Keys of element tests, and the paths that they become.
-#include "apps/element_keys.hpp"
-#include "apps/element_path.hpp"
-#include "apps/vary.hpp"
+#include "apps/element/keys.hpp"
+#include "apps/element/path.hpp"
 #include "core/base/error.hpp"
-#include "core/io/case_text.hpp"
+#include "core/case/case_text.hpp"
+#include "core/case/vary.hpp"
 #include "support/problems.hpp"
 #include "temporary_folder.hpp"
 

@@ -1,7 +1,7 @@
 /// One process at a time writes to a folder of results.
 #include "apps/campaign.hpp"
-#include "apps/folder_lock.hpp"
 #include "core/base/error.hpp"
+#include "core/run/folder_lock.hpp"
 
 #include <cerrno>
 #include <gmock/gmock.h>

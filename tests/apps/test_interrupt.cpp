@@ -1,4 +1,4 @@
-#include "apps/interrupt.hpp"
+#include "core/run/interrupt.hpp"
 
 #include <gtest/gtest.h>
 #include <thread>

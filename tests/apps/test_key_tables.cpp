@@ -1,6 +1,8 @@
-#include "apps/biaxial_keys.hpp"
+#include "apps/biaxial/keys.hpp"
 #include "apps/fake_catalogue.hpp"
-#include "apps/key_tables.hpp"
+#include "apps/kinds.hpp"
+#include "apps/reference.hpp"
+#include "core/case/key_tables.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -45,7 +47,7 @@ TEST(KeyTables, TheReferenceHasARowForEveryKeyAndEveryLaw) {
 
 TEST(KeyTables, TheSchemaDescribesEveryKey) {
   const Catalogue catalogue = fake_catalogue();
-  const auto schema = nlohmann::json::parse(biaxial_schema(catalogue));
+  const auto schema = nlohmann::json::parse(run_kind("biaxial").cases.schema(CaseFile::empty(), catalogue));
   for (const Key& key : biaxial_keys(catalogue, paper_model)) {
     if (key.name.starts_with("material.")) continue;
     const std::size_t dot = key.name.find('.');
@@ -60,7 +62,7 @@ TEST(KeyTables, TheSchemaDescribesEveryKey) {
 }
 
 TEST(KeyTables, TheSchemaKnowsTheParametersOfEachLaw) {
-  const auto schema = nlohmann::json::parse(biaxial_schema(fake_catalogue()));
+  const auto schema = nlohmann::json::parse(run_kind("biaxial").cases.schema(CaseFile::empty(), fake_catalogue()));
   const auto& laws = schema["properties"]["material"]["oneOf"];
   ASSERT_EQ(laws.size(), 2);
   EXPECT_TRUE(laws[0]["properties"].contains("phi_c"));
@@ -70,7 +72,7 @@ TEST(KeyTables, TheSchemaKnowsTheParametersOfEachLaw) {
 }
 
 TEST(KeyTables, TheSchemaTakesTextsWithUnits) {
-  const auto schema = nlohmann::json::parse(biaxial_schema(fake_catalogue()));
+  const auto schema = nlohmann::json::parse(run_kind("biaxial").cases.schema(CaseFile::empty(), fake_catalogue()));
   const auto& width = schema["properties"]["specimen"]["properties"]["width"]["anyOf"];
   const std::regex quantity(width.at(1).at("pattern").get<std::string>());
   for (const char* text : {"1.5 mm", "2650 kg/m3", "-1e-3m", "6 %"})

@@ -1,9 +1,9 @@
 /// A case says what its law makes of it: no length that nothing averages, no patch of void ratios that nothing knows,
 /// and no key that nothing looks at.
-#include "apps/law_uses.hpp"
+#include "apps/biaxial/law_uses.hpp"
 #include "apps/program.hpp"
-#include "apps/weak_zone.hpp"
-#include "core/io/case_text.hpp"
+#include "core/case/case_text.hpp"
+#include "core/setup/weak_zone.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 /// The manual page: nothing of the tables is missing, and formatters take it without a word.
-#include "apps/biaxial_keys.hpp"
-#include "apps/catalogue.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/built_in.hpp"
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/manual.hpp"

@@ -1,9 +1,9 @@
 /// The memory that a run needs and that there is: estimated, measured, and refused when it does not suffice.
-#include "apps/biaxial_keys.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/biaxial/memory_needed.hpp"
 #include "apps/fake_catalogue.hpp"
-#include "apps/memory_needed.hpp"
-#include "apps/memory_there.hpp"
 #include "apps/program.hpp"
+#include "core/run/memory_there.hpp"
 #include "support/problems.hpp"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-#include "apps/output_folder.hpp"
 #include "core/base/error.hpp"
+#include "core/run/output_folder.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 /// docs/paraview.md names every array that a run writes for ParaView, and no other; other programs read the files.
 #include "apps/program.hpp"
 #include "apps/series.hpp"
-#include "apps/weak_zone.hpp"
 #include "core/io/snapshot.hpp"
+#include "core/setup/weak_zone.hpp"
 #include "support/problems.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 /// docs/input.md is what the program prints.
-#include "apps/catalogue.hpp"
-#include "apps/key_tables.hpp"
+#include "apps/built_in.hpp"
+#include "apps/reference.hpp"
 #include "temporary_folder.hpp"
 
 using namespace riedel;

@@ -1,6 +1,6 @@
 /// The page of a campaign: its parts, and what a browser makes of it.
 #include "apps/campaign.hpp"
-#include "apps/report/compare_report.hpp"
+#include "core/campaign/report.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 /// `riedel reproduce`, and the theory that it sets beside the runs.
 #include "apps/program.hpp"
 #include "apps/reproduce/band_theory.hpp"
-#include "apps/reproduce/homogeneous.hpp"
 #include "apps/reproduce/statement_text.hpp"
+#include "materials/element/bifurcation.hpp"
 #include "materials/gudehus_bauer.hpp"
 #include "support/csv.hpp"
 

@@ -1,8 +1,8 @@
 /// Numbers that are allowed and make no sense: a forgotten unit is told before a run is wasted on it.
-#include "apps/biaxial_sense.hpp"
+#include "apps/biaxial/random_field_check.hpp"
+#include "apps/biaxial/sense.hpp"
 #include "apps/program.hpp"
-#include "apps/random_field_check.hpp"
-#include "apps/void_ratio_field.hpp"
+#include "core/setup/random_field.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gmock/gmock.h>

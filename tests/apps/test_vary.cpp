@@ -1,6 +1,6 @@
 /// The lists of --vary.
-#include "apps/vary.hpp"
 #include "core/base/error.hpp"
+#include "core/case/vary.hpp"
 
 #include <gmock/gmock.h>
 

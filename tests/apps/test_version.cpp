@@ -1,9 +1,9 @@
 /// What the program says of itself: the commit it was built from, in every summary.
-#include "apps/bench_table.hpp"
+#include "apps/bench/table.hpp"
 #include "apps/command_line.hpp"
-#include "apps/commit.hpp"
 #include "apps/program.hpp"
-#include "apps/verify/report.hpp"
+#include "apps/verify/tables.hpp"
+#include "core/io/commit.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-/// A made-up tree, and what apps/commit.cmake says of it.
+/// A made-up tree, and what core/io/commit.cmake says of it.
 class Commit : public testing::Test {
 protected:
   void SetUp() override {
@@ -32,7 +32,7 @@ protected:
   }
   [[nodiscard]] std::string told(const std::filesystem::path& tree) const {
     EXPECT_TRUE(succeeds(CMAKE_PROGRAM " -DSOURCE=" + tree.string() + " -DOUTPUT=" + out_.string() +
-                         " -P " SOURCE_DIR "/apps/commit.cmake"));
+                         " -P " SOURCE_DIR "/core/io/commit.cmake"));
     const std::string source = file_content(out_), before = "return \"";
     const std::size_t start = source.find(before) + before.size();
     return source.substr(start, source.find('"', start) - start);

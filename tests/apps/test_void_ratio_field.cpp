@@ -1,7 +1,7 @@
 /// Random void ratios, and a specimen that is turned in its grid: what the case makes of both.
-#include "apps/band_report.hpp"
-#include "apps/void_ratio_field.hpp"
+#include "apps/biaxial/band.hpp"
 #include "core/io/snapshot.hpp"
+#include "core/setup/random_field.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 /// Texts of any kind as words of a shell, as names of files and as cells of a table.
-#include "apps/csv_cell.hpp"
-#include "apps/file_name.hpp"
-#include "apps/shell_word.hpp"
+#include "core/io/csv_cell.hpp"
+#include "core/io/file_name.hpp"
+#include "core/io/shell_word.hpp"
 #include "temporary_folder.hpp"
 
 #include <cstdlib>

@@ -42,6 +42,16 @@ void for_each_include(const std::string& text, char opening, const Visit& visit)
   });
 }
 
+/// The floors of core up to one, that one included.
+Names up_to(std::string_view top) {
+  Names all;
+  for (const char* floor : {"base", "state", "interface", "step", "setup", "io", "draw", "case", "analysis", "run"}) {
+    all.insert(std::string("core/") + floor);
+    if (top == std::string("core/") + floor) break;
+  }
+  return all;
+}
+
 /// What each room may see of the others; apps and tests, which see everything, are not listed. A folder that is not
 /// listed belongs to the room above it.
 const std::map<std::string, Names>& rooms_in_sight() {
@@ -50,14 +60,19 @@ const std::map<std::string, Names>& rooms_in_sight() {
       {"core/state", {"core/base"}},
       {"core/interface", {"core/base", "core/state"}},
       {"core/step", {"core/base", "core/state", "core/interface"}},
-      {"core/setup", {"core/base", "core/state", "core/interface", "core/step"}},
-      {"core/io", {"core/base", "core/state", "core/interface", "core/step"}},
+      {"core/setup", up_to("core/step")},
+      {"core/io", up_to("core/step")},
+      {"core/draw", up_to("core/io")},
+      {"core/case", up_to("core/io")},
+      {"core/analysis", up_to("core/io")},
+      {"core/run", up_to("core/draw")},
+      {"core/campaign", up_to("core/run")},
       {"shapefunctions/kit", {"core/base", "core/state", "core/interface"}},
       {"shapefunctions", {"core/base", "core/state", "core/interface", "shapefunctions/kit"}},
       {"materials/kit", {"core/base", "core/interface"}},
       {"materials/umat", {"core/base", "core/interface"}},
-      {"materials/element", {"core/base", "core/interface"}},
       {"materials", {"core/base", "core/interface", "materials/kit", "materials/umat"}},
+      {"materials/element", {"core/base", "core/interface", "materials", "materials/kit", "materials/umat"}},
       {"nonlocal/kit", {"core/base", "core/interface"}},
       {"nonlocal", {"core/base", "core/interface", "nonlocal/kit"}},
   };
@@ -82,8 +97,8 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> all = {
       {"CGAL", std::regex("^CGAL/"), std::regex("nonlocal/cgal_kd_tree[.]cpp")},
-      {"VTK", std::regex("^vtk"), std::regex("core/io/(vtk_writer|picture|plot|canvas)[.]cpp")},
-      {"toml++", std::regex("^toml([+][+])?[/.]"), std::regex("core/io/toml_reader[.]cpp")},
+      {"VTK", std::regex("^vtk"), std::regex("core/(io/vtk_writer|draw/[a-z_]+)[.]cpp")},
+      {"toml++", std::regex("^toml([+][+])?[/.]"), std::regex("core/case/toml_reader[.]cpp")},
       {"Boost", std::regex("^boost/"), std::regex("apps/[^/]*[.]cpp|core/io/plugin_loader[.]cpp")},
   };
   return all;

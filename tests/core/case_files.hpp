@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/io/case_file.hpp"
+#include "core/case/case_file.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-#include "core/io/case_file.hpp"
-#include "core/io/case_text.hpp"
+#include "core/case/case_file.hpp"
+#include "core/case/case_text.hpp"
 #include "temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 /// Files that a user names as input.
 #include "core/base/error.hpp"
-#include "core/io/case_file.hpp"
+#include "core/case/case_file.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/table.hpp"
 #include "temporary_folder.hpp"

@@ -1,6 +1,6 @@
 #include "core/base/error.hpp"
-#include "core/io/domain_raster.hpp"
-#include "core/io/picture.hpp"
+#include "core/draw/domain_raster.hpp"
+#include "core/draw/picture.hpp"
 #include "core/png_pixels.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/base/error.hpp"
-#include "core/io/clip.hpp"
-#include "core/io/free_place.hpp"
-#include "core/io/plot.hpp"
+#include "core/draw/clip.hpp"
+#include "core/draw/free_place.hpp"
+#include "core/draw/plot.hpp"
 #include "core/png_pixels.hpp"
 
 #include <cmath>

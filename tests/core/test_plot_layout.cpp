@@ -1,6 +1,6 @@
 /// Where a plot's parts stand: nothing is cut off, nothing lies on anything else, whatever the texts and the numbers.
-#include "core/io/plot_layout.hpp"
-#include "core/io/text_lines.hpp"
+#include "core/draw/plot_layout.hpp"
+#include "core/draw/text_lines.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>

@@ -1,9 +1,9 @@
 // Case files and what the command line sets in them.
-#include "apps/biaxial_keys.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/element/path_keys.hpp"
 #include "apps/fake_catalogue.hpp"
-#include "apps/path_keys.hpp"
-#include "apps/vary.hpp"
-#include "core/io/case_text.hpp"
+#include "core/case/case_text.hpp"
+#include "core/case/vary.hpp"
 #include "core/io/units.hpp"
 #include "fuzz/support.hpp"
 #include "fuzz/targets.hpp"

@@ -1,10 +1,11 @@
 // Files beside a case, and the command line.
-#include "apps/campaign/record.hpp"
-#include "apps/campaign/results_table.hpp"
-#include "apps/campaign/run_result.hpp"
+#include "apps/biaxial/views.hpp"
 #include "apps/command_line.hpp"
-#include "apps/incremental_driver.hpp"
-#include "apps/marked_document.hpp"
+#include "apps/element/incremental/driver.hpp"
+#include "core/campaign/record.hpp"
+#include "core/campaign/results_table.hpp"
+#include "core/campaign/run_result.hpp"
+#include "core/io/marked_document.hpp"
 #include "core/io/table.hpp"
 #include "fuzz/support.hpp"
 #include "fuzz/targets.hpp"
@@ -27,13 +28,22 @@ const Command& command() {
   return any;
 }
 
+/// The biaxial test, as far as reading its results goes.
+const RunKind kind{.cases = {.name = "biaxial"},
+                   .curve_file = "history.csv",
+                   .columns = {"step", "time_s", "u_over_h", "phi_mob_deg"},
+                   .ascending = {"time_s", "u_over_h"},
+                   .check_summary = check_biaxial_summary,
+                   .axes = [](const CaseFile&) { return CurveAxes{}; },
+                   .outcome = biaxial_outcome};
+
 } // namespace
 
 void campaign(std::string_view input) {
   static const Folder folder;
   folder.file("campaign.json", input);
   may_refuse([&] {
-    for (const PlannedRun& run : read_campaign(folder.path()).runs)
+    for (const PlannedRun& run : read_campaign(folder.path(), std::span(&kind, 1)).runs)
       require((folder.path() / run.name).parent_path() == folder.path(), "a run lies outside its campaign");
   });
 }
@@ -45,8 +55,8 @@ void run_result(std::string_view input) {
   folder.file("history.csv", files[1]);
   folder.file("case.toml", "");
   const PlannedRun run{.name = ".", .label = "run", .settings = {}, .case_text = "", .refusal = ""};
-  const std::vector<RunResult> results{result_of(run, folder.path())};
-  require(!results_csv(results).empty() && !results_text(results).empty(), "a table without a text");
+  const std::vector<RunResult> results{result_of(kind, run, folder.path())};
+  require(!results_csv(results).empty() && !results_text(kind, results).empty(), "a table without a text");
 }
 
 void incremental_driver(std::string_view input) {

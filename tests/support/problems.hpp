@@ -1,7 +1,7 @@
 /// Small problems for tests: blocks of points on a grid, with a scheme and a law taken from the catalogue by name.
 #pragma once
 
-#include "apps/catalogue.hpp"
+#include "apps/built_in.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/simulation.hpp"
 

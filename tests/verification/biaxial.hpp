@@ -1,8 +1,8 @@
 /// Biaxial cases for tests, from the settings that a user would give with `--set`.
 #pragma once
 
-#include "apps/biaxial_keys.hpp"
-#include "apps/specimen.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/biaxial/specimen.hpp"
 #include "support/problems.hpp"
 
 namespace riedel::test {

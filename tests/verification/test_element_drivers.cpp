@@ -1,7 +1,7 @@
 /// A specimen of cells under every scheme against one point of the same law, whose curves were checked against
 /// independent programs.
-#include "apps/element_drivers.hpp"
-#include "apps/element_keys.hpp"
+#include "apps/element/drivers.hpp"
+#include "apps/element/keys.hpp"
 #include "support/csv.hpp"
 #include "support/problems.hpp"
 

@@ -1,8 +1,8 @@
 /// One cell of sand in plane strain compression through the whole machinery, against curves of independent programs.
 /// The cell holds four points: a single one hands the same velocity to every node, so that its stretching has no
 /// inertia.
-#include "apps/biaxial_keys.hpp"
-#include "apps/specimen.hpp"
+#include "apps/biaxial/keys.hpp"
+#include "apps/biaxial/specimen.hpp"
 #include "support/csv.hpp"
 #include "support/problems.hpp"
 

@@ -1,6 +1,6 @@
 /// The paper's own boundaries, a platen of rigid points and the lateral pressure on a layer of points, against the
 /// default ones on a coarse grid: at rest at the start, and the same mobilised angle up to u/h0 = 0.5 %.
-#include "apps/edge_balance.hpp"
+#include "apps/biaxial/edge_balance.hpp"
 #include "verification/biaxial.hpp"
 
 #include <cstdio>

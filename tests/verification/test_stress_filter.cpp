@@ -1,9 +1,9 @@
 /// The stress filter: what the nodes see stays to the bit of a rounding error, what they do not see fades at the rate
 /// that was asked for. See docs/theory/stress_filter.md.
-#include "apps/band_report.hpp"
-#include "apps/biaxial_run.hpp"
-#include "apps/element_drivers.hpp"
-#include "apps/element_keys.hpp"
+#include "apps/biaxial/band.hpp"
+#include "apps/biaxial/record.hpp"
+#include "apps/element/drivers.hpp"
+#include "apps/element/keys.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/smoothing.hpp"
 #include "core/step/stress_filter.hpp"

@@ -1,5 +1,5 @@
 // The keys of a case name the steps, which readers never take: the fuzzers do without the library of core.
-#include "apps/commit.hpp"
+#include "core/io/commit.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"

@@ -1,0 +1,171 @@
+/// riedel biaxial: the plane strain compression test, from a case to numbers, files for ParaView and pictures.
+#include "apps/biaxial/keys.hpp"
+#include "apps/biaxial/memory_needed.hpp"
+#include "apps/biaxial/pictures.hpp"
+#include "apps/biaxial/report.hpp"
+#include "apps/built_in.hpp"
+#include "apps/commands.hpp"
+#include "core/case/case_text.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/figure_json.hpp"
+#include "core/io/json_text.hpp"
+#include "core/io/messages.hpp"
+#include "core/io/progress.hpp"
+#include "core/run/failure.hpp"
+#include "core/run/interrupt.hpp"
+#include "core/run/output_folder.hpp"
+#include "core/run/threads.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+namespace riedel {
+
+namespace {
+
+/// Watches a fixed time step: warns once when it exceeds the stable one, and remembers by how much at most.
+class TimeStepWatch {
+public:
+  template <int Dim>
+  void look(const Simulation<Dim>& simulation) {
+    const double limit = simulation.crossing_time(), share = simulation.time_step() / limit;
+    if (share > 1.0 && most_ <= 1.0)
+      print_warning("time.step = " + short_text(simulation.time_step()) + " s is over the stable limit, " +
+                    short_text(limit) + " s at step " + std::to_string(simulation.state().step) +
+                    ": the run may blow up, or be wrong without a sign");
+    most_ = std::max(most_, share);
+  }
+  [[nodiscard]] double most() const { return most_; } ///< time step over the stable limit [-]
+
+private:
+  double most_ = 0.0;
+};
+
+void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json summary) {
+  write_atomically(folder / "summary.json", json_text(summary));
+}
+
+void print_result(const nlohmann::ordered_json& summary, const std::filesystem::path& folder,
+                  const std::vector<std::string>& pictures) {
+  std::cout << biaxial_text(summary) << "written to " << folder.string() << ": case.toml, history.csv, summary.json";
+  for (const std::string& name : pictures) std::cout << ", " << name;
+  std::cout << std::endl;
+}
+
+/// A run that failed before it began says so in its summary, as far as that can still be written.
+void write_failure(const std::filesystem::path& folder, const std::string& reason) {
+  if (std::filesystem::exists(folder / "summary.json")) return; // it has told more
+  try {
+    write_summary(folder, {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", reason}});
+  } catch (const RunError& another) { print_warning(another.what()); }
+}
+
+template <int Dim>
+void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads,
+             TimeStepWatch& watch) {
+  Progress progress("biaxial");
+  watch.look(run.simulation());
+  run.advance(
+      threads, [&] { return static_cast<bool>(interrupt); },
+      [&](const BiaxialRow& row) {
+        watch.look(run.simulation());
+        std::array<char, 48> note{};
+        std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h, row.angle);
+        progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
+      });
+  run.finish();
+}
+
+/// What a reader of the numbers must know before believing them.
+template <int Dim>
+void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& summary, double step_over_limit) {
+  for (const auto& [part, name] : {std::pair{"band", "shear band: "}, {"stress", "stresses: "}})
+    if (const std::string doubt = text_in(summary.at(part), "doubt", ""); !doubt.empty()) print_warning(name + doubt);
+  if (step_over_limit > 1.0)
+    print_warning("the time step was " + short_text(step_over_limit) +
+                  " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
+  if (run.kinetic_over_internal() > quasi_static_limit)
+    print_warning("the run is not quasi-static: kinetic energy reached " + short_text(run.kinetic_over_internal()) +
+                  " of the internal one; use a smaller loading.speed");
+}
+
+/// What a run was asked for.
+struct Order {
+  CheckedCase given;
+  Catalogue catalogue;
+  ThreadRange threads;
+};
+
+/// How far a run has come: not begun, begun, or told to its end in the summary, which nothing replaces from then on.
+enum class Stage { before, begun, told };
+
+/// Runs the case and leaves everything in the folder, once it is known to begin. @return the exit code
+template <int Dim>
+int run_case(const Order& order, OutputFolder& output, Stage& stage) {
+  const Interrupt interrupt;
+  const auto start = std::chrono::steady_clock::now();
+  const Values& values = order.given.values;
+  require_threads(order.threads.most);
+  ThreadChoice threads(order.threads);
+  BiaxialRun<Dim> run(values, order.catalogue, output.path());
+  output.replace();
+  stage = Stage::begun;
+  write_atomically(output.path() / "case.toml", case_text(order.given.keys, values));
+  run.begin();
+  TimeStepWatch watch;
+  const auto ending = [&](const std::string& status, const std::string& reason = "") {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return BiaxialEnding{status, reason, wall.count(), threads.most_used(), watch.most()};
+  };
+  try {
+    advance(run, values, interrupt, threads, watch);
+  } catch (const std::exception& failure) {
+    try_to_write("the summary", [&] {
+      const nlohmann::ordered_json result = biaxial_summary(run, values, ending("failed", reason_of(failure)));
+      write_summary(output.path(), result);
+      stage = Stage::told;
+      print_result(result, output.path(), {});
+    });
+    throw;
+  }
+  const nlohmann::ordered_json result = biaxial_summary(run, values, ending(interrupt ? "interrupted" : "done"));
+  write_summary(output.path(), result);
+  stage = Stage::told;
+  std::vector<std::string> pictures;
+  if (values.flag("output.plots"))
+    try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
+  print_result(result, output.path(), pictures);
+  warn_of_doubts(run, result, watch.most());
+  return interrupt ? interrupt.exit_code() : 0;
+}
+
+/// What ends a run, of whatever kind, is told in the summary, unless that would cover up the results of another run.
+int run_to_some_end(const Order& order, OutputFolder& output) {
+  Stage stage = Stage::before;
+  try {
+    const bool slab = dimensions_of_biaxial(order.given.values) == 3;
+    return (slab ? run_case<3> : run_case<2>)(order, output, stage);
+  } catch (const std::exception& error) {
+    const bool wrong_input =
+        dynamic_cast<const InputError*>(&error) != nullptr || dynamic_cast<const PluginError*>(&error) != nullptr;
+    const bool unseen = stage == Stage::before && !wrong_input && output.is_fresh();
+    if (stage == Stage::begun || unseen) write_failure(output.path(), reason_of(error));
+    rethrow_as_failure();
+  }
+}
+
+} // namespace
+
+int biaxial(const Arguments& arguments) {
+  const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
+  Catalogue catalogue = inventory(file).catalogue;
+  CheckedCase given = biaxial_case(file, catalogue);
+  for (const std::string& note : given.notes) print_note(note);
+  for (const std::string& warning : given.warnings) print_warning(warning);
+  require_memory(given.values, catalogue, file);
+  const Order order{std::move(given), std::move(catalogue), arguments.threads()};
+  OutputFolder output(arguments.out("results/biaxial"), arguments.command, arguments.force());
+  return run_to_some_end(order, output);
+}
+
+} // namespace riedel

@@ -1,0 +1,112 @@
+#include "apps/biaxial/boundaries.hpp"
+
+#include "core/setup/fill.hpp"
+
+namespace riedel {
+
+namespace {
+
+/// The outermost points at the two sides carry the lateral pressure.
+template <int Dim>
+SurfaceTraction<Dim> side_pressure(const SpecimenGeometry<Dim>& specimen, const Points<Dim>& points, double pressure) {
+  SurfaceTraction<Dim> load{.value = uniform_pressure<Dim>(pressure), .initial_area = {}};
+  load.initial_area.assign(static_cast<std::size_t>(points.size()), Vec<Dim>::Zero());
+  for (Index p = 0; p < points.size(); ++p) {
+    const double half = points.half_size[0][p], x = points.position[0][p];
+    double face = 1.0; // [m or m²]
+    for (int a = 1; a < Dim; ++a) face *= 2.0 * points.half_size[a][p];
+    if (x < 1.5 * half) load.initial_area[static_cast<std::size_t>(p)][0] = -face;
+    if (x > specimen.size[0] - 1.5 * half) load.initial_area[static_cast<std::size_t>(p)][0] = face;
+  }
+  return load;
+}
+
+/// Two layers of rigid points, from the specimen's row of cells `row` upwards. Reaches over the sides as far as its own
+/// points' supports allow, and over the depth by a cell.
+template <int Dim>
+RigidBody<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& specimen, Index row,
+                            const std::function<double(double)>& velocity) {
+  RigidBody<Dim> platen{.name = name, .axis = 1, .velocity = velocity};
+  Counts<Dim> overhang{}, cells = specimen.cells;
+  overhang[0] = std::max<Index>(specimen.margin_below[0] - 4, 0);
+  if constexpr (Dim == 3) overhang[2] = 1;
+  cells[1] = 2;
+  Vec<Dim> corner;
+  for (int a = 0; a < Dim; ++a) {
+    cells[a] += 2 * overhang[a];
+    corner[a] = (a == 1 ? row : -overhang[a]) * specimen.cell[a];
+  }
+  fill<Dim>(platen.points, lattice_of<Dim>(cells, specimen.cell, 1, corner), 0);
+  return platen;
+}
+
+/// The bottom at rest, its middle held sideways, and the top, in the directions of the turned specimen.
+template <int Dim>
+void set_turned_platens(State<Dim>& state, const SpecimenGeometry<Dim>& s, const std::function<double(double)>& still,
+                        const std::function<double(double)>& down) {
+  if constexpr (Dim == 2) {
+    state.rigid_bodies.push_back(rigid_platen<2>("bottom", s, -2, still));
+    RigidBody<2> pin{.name = "pin", .axis = 0, .velocity = still};
+    const Vec<2> corner(0.5 * (s.size[0] - s.cell[0]), -0.5 * s.cell[1]);
+    fill<2>(pin.points, lattice_of<2>({1, 1}, s.cell, 1, corner), 0);
+    state.rigid_bodies.push_back(std::move(pin));
+    state.rigid_bodies.push_back(rigid_platen<2>("top", s, s.cells[1], down));
+    for (RigidBody<2>& body : state.rigid_bodies) {
+      turn_points<2>(body.points, s.turn);
+      body.direction = s.turn.rotation.col(body.axis);
+      body.axis = oblique;
+    }
+  }
+}
+
+} // namespace
+
+template <int Dim>
+void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& s, const Values& v) {
+  const auto still = [](double) { return 0.0; };
+  const auto down = ramped(-v.number("loading.speed"), v.number("loading.ramp_time"));
+  if (!s.turn.is_none) return set_turned_platens<Dim>(state, s, still, down);
+  Counts<Dim> end = state.grid.nodes;
+  for (Index& n : end) --n;
+  // Rows of nodes from side to side. Those beyond a platen or a wall move with it, so that a domain reaching past the
+  // edge sees no gradient there.
+  const auto rows = [&](const char* name, int axis, Index first, Index last, const auto& velocity) {
+    NodeCondition<Dim> condition{.name = name, .last = end, .axis = axis, .velocity = velocity};
+    condition.first[axis] = first;
+    condition.last[axis] = last;
+    return condition;
+  };
+  const Index bottom = s.margin_below[1], top = bottom + s.cells[1];
+  model.conditions.push_back(rows("bottom", 1, 0, bottom, still));
+  NodeCondition<Dim> pin = rows("pin", 1, bottom, bottom, still);
+  pin.first[0] = pin.last[0] = s.margin_below[0] + s.cells[0] / 2;
+  pin.axis = 0;
+  model.conditions.push_back(pin);
+  if constexpr (Dim == 3) {
+    model.conditions.push_back(rows("back", 2, 0, s.margin_below[2], still));
+    model.conditions.push_back(rows("front", 2, s.margin_below[2] + s.cells[2], end[2], still));
+  }
+  if (v.text("loading.platen") == "rigid_points") {
+    state.rigid_bodies.push_back(rigid_platen<Dim>("top", s, s.cells[1], down));
+  } else {
+    model.conditions.push_back(rows("top", 1, top, end[1], down));
+    model.moving_grids.push_back({.axis = 1, .fixed_row = bottom, .moving_row = top, .platen = "top"});
+  }
+}
+
+template <int Dim>
+void set_lateral_pressure(Model<Dim>& model, const Points<Dim>& points, const SpecimenGeometry<Dim>& specimen,
+                          const Values& v) {
+  const double pressure = v.number("loading.confining_pressure");
+  if (v.text("loading.lateral") == "points")
+    model.surface_tractions.push_back(side_pressure(specimen, points, pressure));
+  else
+    model.confining_pressure = pressure;
+}
+
+template void set_platens<2>(Model<2>&, State<2>&, const SpecimenGeometry<2>&, const Values&);
+template void set_platens<3>(Model<3>&, State<3>&, const SpecimenGeometry<3>&, const Values&);
+template void set_lateral_pressure<2>(Model<2>&, const Points<2>&, const SpecimenGeometry<2>&, const Values&);
+template void set_lateral_pressure<3>(Model<3>&, const Points<3>&, const SpecimenGeometry<3>&, const Values&);
+
+} // namespace riedel

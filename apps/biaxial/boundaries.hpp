@@ -1,0 +1,21 @@
+/// What holds, drives and presses the biaxial specimen.
+#pragma once
+
+#include "apps/biaxial/geometry.hpp"
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// Smooth platens, of which the upper one moves, and in three dimensions smooth walls. Of a turned specimen both
+/// platens, and the point that holds the middle of the lower one sideways, are rigid bodies.
+/// @param model receives conditions and, for a platen that the grid follows, the moving grid
+/// @param state receives the rigid bodies
+template <int Dim>
+void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& specimen, const Values& values);
+
+/// The lateral pressure, as a virtual stress or on the points at the sides.
+template <int Dim>
+void set_lateral_pressure(Model<Dim>& model, const Points<Dim>& points, const SpecimenGeometry<Dim>& specimen,
+                          const Values& values);
+
+} // namespace riedel

@@ -1,0 +1,36 @@
+#include "apps/biaxial/edge_balance.hpp"
+
+#include "apps/biaxial/specimen.hpp"
+#include "core/base/parallel.hpp"
+#include "core/step/locate.hpp"
+#include "core/step/transfer.hpp"
+
+namespace riedel {
+
+double imbalance_at_start(const Values& values, const Catalogue& catalogue) {
+  constexpr Index cells = 8;  // supports at the two sides do not meet
+  const ThreadLimit limit(1); // too small to share
+  Values few = values;
+  few.set("grid.cells", std::vector<std::int64_t>{cells, cells});
+  few.set("grid.dimensions", std::int64_t{2}); // weights over a depth are factors of all forces
+  few.set("loading.platen", std::string("moving_grid"));
+  few.set("loading.gravity", 0.0);
+  few.set("nonlocal.length", 0.0);
+  Simulation<2> simulation = make_biaxial<2>(few, catalogue);
+  State<2>& state = simulation.state();
+  locate_points(state, simulation.model());
+  points_to_grid(state, simulation.model());
+
+  const Walls& platens = state.grid.walls[1];
+  const double unit = few.number("loading.confining_pressure") * state.grid.cell[1];
+  double greatest = 0.0;
+  for (Index i = 0; i < state.nodes.size(); ++i) {
+    const Index row = state.grid.index(i)[1];
+    const bool free = row > platens.first && row < platens.last; // to move up and down
+    const Vec<2>& force = state.nodes.sums[i].force;
+    greatest = std::max({greatest, std::abs(force[0]) / unit, free ? std::abs(force[1]) / unit : 0.0});
+  }
+  return greatest;
+}
+
+} // namespace riedel

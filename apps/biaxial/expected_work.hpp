@@ -1,0 +1,28 @@
+/// How much a biaxial case is to compute, before it runs.
+#pragma once
+
+#include "materials/element/wave_speeds.hpp"
+
+namespace riedel {
+
+struct ExpectedWork {
+  double points = 0.0;
+  double time = 0.0;  ///< that the platen takes to the final strain [s]
+  double limit = 0.0; ///< stable time step at the start [s]
+  double step = 0.0;  ///< time step, under load [s]
+  double steps = 0.0;
+  double work = 0.0; ///< points times steps times what each takes beside the others [-]
+
+  [[nodiscard]] double seconds() const; ///< on one thread of a usual machine
+};
+
+/// Number of points of a biaxial case.
+double expected_points(const Values& values);
+
+/// Of the specimen under its confining pressure.
+WaveSpeeds wave_speeds(const Values& values, const Material& law);
+
+/// Steps are those of the loaded specimen: most of a test runs near or past its peak.
+ExpectedWork expected_work(const Values& values, const WaveSpeeds& speeds);
+
+} // namespace riedel

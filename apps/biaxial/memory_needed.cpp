@@ -1,0 +1,136 @@
+#include "apps/biaxial/memory_needed.hpp"
+
+#include "apps/biaxial/geometry.hpp"
+#include "core/case/checked_case.hpp"
+#include "core/case/step_keys.hpp"
+#include "core/case/transfer_keys.hpp"
+#include "core/run/failure.hpp"
+#include "core/run/memory_there.hpp"
+#include "core/step/model.hpp"
+#include "core/step/state.hpp"
+
+#include <cmath>
+
+namespace riedel {
+
+namespace {
+
+// Measured: what stays in use beside the arrays that are counted here.
+constexpr double bytes_of_program = 57e6;
+constexpr double bytes_of_pictures = 32e6; ///< while they are drawn, when frames have been written
+constexpr double little_room = 3 << 20;    ///< stencils are kept up to here in any case
+
+template <int Dim>
+double entry_bytes() {
+  return (1 + Dim) * sizeof(double) + sizeof(Index);
+}
+
+template <int Dim>
+double columns_of_a_point(const ShapeFunction<Dim>& scheme, int states, bool affine) {
+  Points<Dim> points;
+  points.resize(0, states);
+  double columns = Dim; // Δt Σ N v
+  for (const Columns* field : points.fields()) columns += field->components();
+  return columns + scheme.columns() + (affine ? Dim * Dim : 0);
+}
+
+/// Numbers that a frame holds of a point: place, corners, the law's state and what `snapshot` adds to it.
+template <int Dim>
+double fields_of_a_frame(int states) {
+  constexpr double others = 20; // stress and velocity count three and six times
+  return others + states;
+}
+
+/// A frame, what VTK makes of it, and the bytes of the file, twice while they are compressed.
+template <int Dim>
+double bytes_of_frame(int states) {
+  const double fields = fields_of_a_frame<Dim>(states), corners = 3 * power(2, Dim);
+  const double frame = sizeof(double) * (3 + corners + fields);
+  const double raw = sizeof(double) * corners + sizeof(float) * fields + sizeof(std::int64_t) * power(2, Dim);
+  return frame + 2.0 * raw;
+}
+
+template <int Dim>
+double bytes_of_stencils(const Values& v, const ShapeFunction<Dim>& scheme, double points) {
+  const double all = points * scheme.max_nodes() * entry_bytes<Dim>();
+  const bool kept = v.text("time.order") == "usf" || filters_stresses(v); // the filter keeps them for its steps
+  return kept || all <= little_room ? all : 0.0;
+}
+
+template <int Dim>
+double bytes_of_neighbours(const Values& v, const std::array<double, 3>& counts, const Vec<Dim>& spacing) {
+  constexpr double bytes_of_pair = 10.0, reach = 3.1; // 8 at first; 12 in a later search, beside the old weights
+  const double length = v.number("nonlocal.length");
+  if (length == 0.0) return 0.0;
+  if (v.text("nonlocal.averager") == "gauss_grid") return 0.0;
+  std::array<double, 3> apart{spacing[0], spacing[1], 1.0};
+  if constexpr (Dim == 3) apart[2] = spacing[2];
+  return bytes_of_pair * pairs_within(counts, apart, reach * length);
+}
+
+template <int Dim>
+MemoryNeeded needed(const Values& v, const Catalogue& catalogue) {
+  const auto scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
+  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  const SpecimenGeometry<Dim> specimen(v, *scheme);
+  const double per_direction = v.number("specimen.points_per_cell");
+  std::array<double, 3> counts{1.0, 1.0, 1.0};
+  double points = 1.0;
+  for (std::size_t a = 0; a < Dim; ++a) points *= counts[a] = specimen.cells[a] * per_direction;
+  double nodes = 1.0;
+  const Grid<Dim> grid = specimen.grid();
+  for (const Index n : grid.nodes) nodes *= n;
+
+  const int states = state_components(law->states());
+  const VelocityTransfer transfer = transfer_named(v.text("time.transfer"));
+  MemoryNeeded need{.program = bytes_of_program};
+  constexpr double numbering = 6 * sizeof(Index) + sizeof(double); // ids, places and the space of a sort
+  need.points = points * (sizeof(double) * columns_of_a_point(*scheme, states, is_affine(transfer)) + numbering);
+  constexpr double sums = sizeof(NodeSums<Dim>), motion = sizeof(NodeMotion<Dim>), number = sizeof(double);
+  need.nodes =
+      nodes * (sums + motion * (transfer == VelocityTransfer::xpic ? 2.0 : 1.0) + number * scheme->node_columns());
+  if (filters_stresses(v)) {
+    need.points += points * (sizeof(Few<8>) + number);
+    need.nodes += nodes * (3.0 * sizeof(Few<8>) + number);
+  }
+  need.stencils = bytes_of_stencils<Dim>(v, *scheme, points);
+  need.neighbours =
+      law->nonlocal_variables().empty() ? 0.0 : bytes_of_neighbours<Dim>(v, counts, specimen.cell / per_direction);
+  if (v.flag("output.vtk") || v.flag("output.plots")) need.frames = points * bytes_of_frame<Dim>(states);
+  if (v.flag("output.plots")) need.frames = std::max(need.frames, bytes_of_pictures);
+  return need;
+}
+
+} // namespace
+
+double pairs_within(const std::array<double, 3>& counts, const std::array<double, 3>& spacing, double radius) {
+  const auto most = [&](int axis, double way) { return std::min(counts[axis] - 1.0, std::floor(way / spacing[axis])); };
+  const auto left = [](double way_squared) { return std::sqrt(std::max(way_squared, 0.0)); };
+  double pairs = 0.0;
+  for (double k = -most(2, radius); k <= most(2, radius); ++k) {
+    const double in_layer = left(square(radius) - square(k * spacing[2]));
+    for (double j = -most(1, in_layer); j <= most(1, in_layer); ++j) {
+      const double i = most(0, left(square(in_layer) - square(j * spacing[1]))); // Σ (n − |i|) from −i to i
+      pairs += (counts[2] - std::abs(k)) * (counts[1] - std::abs(j)) * ((2.0 * i + 1.0) * counts[0] - i * (i + 1.0));
+    }
+  }
+  return pairs;
+}
+
+MemoryNeeded memory_needed(const Values& values, const Catalogue& catalogue) {
+  return dimensions_of_biaxial(values) == 3 ? needed<3>(values, catalogue) : needed<2>(values, catalogue);
+}
+
+void require_memory(const Values& values, const Catalogue& catalogue, const CaseFile& file) {
+  const MemoryNeeded need = memory_needed(values, catalogue);
+  const MemoryThere there = memory_there();
+  if (need.of_case() <= there.bytes) return;
+  const Finding too_large{{"grid.cells", "specimen.points_per_cell", "nonlocal.length"},
+                          std::string(reasons::too_large) + " " + bytes_text(need.of_case()) + " of memory, " +
+                              bytes_text(need.neighbours) + " of them for neighbours within nonlocal.length, and " +
+                              there.by + " " + bytes_text(there.bytes) +
+                              "; take fewer grid.cells, fewer specimen.points_per_cell or a shorter nonlocal.length"};
+  throw InputError(file.lines({too_large}));
+}
+
+} // namespace riedel

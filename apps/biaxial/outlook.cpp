@@ -1,0 +1,43 @@
+#include "apps/biaxial/outlook.hpp"
+
+#include "apps/biaxial/memory_needed.hpp"
+#include "apps/biaxial/sense.hpp"
+#include "apps/biaxial/specimen.hpp"
+#include "core/case/outlook_text.hpp"
+#include "core/run/memory_there.hpp"
+
+namespace riedel {
+
+namespace {
+
+/// What the rates are that a case leaves to the speed of waves.
+std::string rates_text(const Values& v, const Catalogue& catalogue) {
+  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  Model<2> model;
+  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
+  set_biaxial_step(model, v, *law);
+  const std::string damping = model.transfer != VelocityTransfer::flip ? "none by FLIP and PIC"
+                              : model.damping ? "damping " + short_text(*model.damping) + " 1/s"
+                                              : "FLIP " + short_text(model.flip) + " by step";
+  const StressFilter& filter = model.stress_filter;
+  return damping + (filter.on() ? ", stresses filtered at " + short_text(filter.stress_rate) + " 1/s, volumes at " +
+                                      short_text(filter.volume_rate) + " 1/s"
+                                : ", stresses not filtered");
+}
+
+} // namespace
+
+std::string biaxial_outlook(const Values& v, const Catalogue& catalogue, ThreadRange threads) {
+  std::vector<std::int64_t> cells = v.integers("grid.cells");
+  const double width = v.number("specimen.width") / static_cast<double>(cells[0]),
+               height = v.number("specimen.height") / static_cast<double>(cells[1]);
+  if (dimensions_of_biaxial(v) == 3) cells.push_back(v.integer("specimen.depth_cells"));
+  return outlook_head() + outlook_line("expected", expected_text(expected_work_of(v, catalogue))) +
+         outlook_line("cells", product_text(cells) + " of " + short_text(1e3 * width) + " mm x " +
+                                   short_text(1e3 * height) + " mm") +
+         outlook_line("rates", rates_text(v, catalogue)) +
+         outlook_line("memory", "about " + bytes_text(memory_needed(v, catalogue).all())) +
+         outlook_line("threads", threads_text(threads));
+}
+
+} // namespace riedel

@@ -1,0 +1,77 @@
+/// The biaxial test while it runs: advances, records, and tells what it found.
+#pragma once
+
+#include "apps/biaxial/cheap_quality.hpp"
+#include "apps/biaxial/specimen.hpp"
+#include "core/base/thread_choice.hpp"
+#include "core/io/history.hpp"
+#include "core/io/snapshot.hpp"
+#include "core/io/vtk_writer.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+namespace riedel {
+
+/// One row of history.csv, per metre of depth. Forces and angles are means since the row before.
+struct BiaxialRow {
+  std::int64_t step = 0;
+  double time = 0, u_over_h = 0, angle = 0, force = 0; ///< [s], [-], [deg], [N/m]
+  Energies energies{};                                 ///< [J/m]
+  double time_step = 0;                                ///< [s]
+  MaterialReport report{};
+  std::int64_t out_of_bounds = 0;
+  double true_angle = 0; ///< by the present width [deg]
+  CheapQuality quality{};
+};
+
+template <int Dim>
+class BiaxialRun {
+public:
+  /// Makes the specimen; the folder receives nothing but places for frames. Throws InputError or RunError.
+  BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder);
+
+  /// Writes the first row and frame. Throws RunError.
+  void begin();
+  /// Goes on until the final strain, or until `stop()` says so between two steps. Throws RunError.
+  void advance(ThreadChoice& threads, const std::function<bool()>& stop,
+               const std::function<void(const BiaxialRow&)>& at_row);
+  /// Writes a row and a frame of the present, if they are not written yet.
+  void finish();
+
+  [[nodiscard]] const Simulation<Dim>& simulation() const { return simulation_; }
+  [[nodiscard]] const std::vector<BiaxialRow>& rows() const { return rows_; }
+  [[nodiscard]] double u_over_h() const { return u_ / values_.number("specimen.height"); }
+  [[nodiscard]] Frame frame() const;   ///< the present
+  [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
+  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
+  /// that far [-].
+  [[nodiscard]] double kinetic_over_internal() const;
+  /// The keys of summary.json that the run itself knows; null for what it cannot have.
+  [[nodiscard]] nlohmann::ordered_json summary() const;
+  /// Of summary.json's stress, what does not look at the band.
+  [[nodiscard]] nlohmann::ordered_json quality() const;
+
+private:
+  /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].
+  [[nodiscard]] double residual_angle(double u_over_h_at_peak) const;
+  void add_row();
+  void add_frame();
+
+  const Values& values_;
+  double depth_; ///< 1 in two dimensions [m]
+  Simulation<Dim> simulation_;
+  std::function<double(double)> speed_;
+  StartPlaces<Dim> start_;
+  std::filesystem::path folder_;
+  std::optional<History> history_;
+  std::optional<SeriesWriter> series_;
+  std::vector<BiaxialRow> rows_;
+  double u_ = 0.0;         ///< displacement of the platen [m]
+  double force_sum_ = 0.0; ///< ∫ force dt since the last row
+  double force_time_ = 0.0;
+  std::int64_t last_frame_step_ = -1;
+  double next_row_ = 0.0, next_frame_ = 0.0; ///< u/h0 from which they are due
+};
+
+} // namespace riedel

@@ -1,0 +1,100 @@
+/// riedel compare: one case under many settings, side by side; riedel collect: the same from what has been run
+/// elsewhere.
+#include "apps/built_in.hpp"
+#include "apps/commands.hpp"
+#include "apps/compare/study.hpp"
+#include "apps/kinds.hpp"
+#include "core/base/error.hpp"
+#include "core/campaign/carry_out.hpp"
+#include "core/campaign/record.hpp"
+#include "core/campaign/report.hpp"
+#include "core/campaign/results_table.hpp"
+#include "core/campaign/script.hpp"
+#include "core/io/atomic_file.hpp"
+#include "core/io/messages.hpp"
+#include "core/run/failure.hpp"
+#include "core/run/interrupt.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+namespace riedel {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const Arguments& arguments) {
+  return arguments.out(fs::path("results") /
+                       (arguments.words.empty() ? "compare" : fs::path(arguments.words.front()).stem()));
+}
+
+void print_runs(const Plan& plan) {
+  std::printf("%zu runs; share of the expected work\n", plan.runs.size());
+  for (const PlannedRun& run : plan.runs) {
+    if (run.refusal.empty())
+      std::printf("%5.1f %%  %s\n", 100.0 * run.work / plan.work(), run.name.c_str());
+    else
+      std::printf("refused  %s: %s\n", run.name.c_str(), run.refusal.c_str());
+  }
+}
+
+/// Tables and report of what the folder holds. @return the exit code: 3 if not one run came to a good end
+int write_results(const Plan& plan, const fs::path& folder) {
+  const std::vector<RunResult> results = results_of(plan, folder);
+  write_atomically(folder / "results.csv", results_csv(results));
+  std::vector<std::string> written{"results.csv"};
+  try_to_write("the report", [&] {
+    write_atomically(folder / "report.html", campaign_report(plan, results).html());
+    written.emplace_back("report.html");
+  });
+  try_to_write("the pictures", [&] {
+    for (std::string& name : write_campaign_pictures(plan, results, folder)) written.push_back(std::move(name));
+  });
+  std::cout << results_text(*plan.kind, results) << "written to " << folder.string();
+  for (const std::string& name : written) std::cout << (&name == &written.front() ? ": " : ", ") << name;
+  std::cout << "\n";
+  for (const RunResult& result : results)
+    if (result.status == RunStatus::damaged) print_warning(result.name + " is damaged: " + result.reason);
+  return std::ranges::any_of(results, [](const RunResult& r) { return r.status == RunStatus::done; }) ? 0 : 3;
+}
+
+} // namespace
+
+int compare(const Arguments& arguments) {
+  const auto kind = arguments.text("script");
+  if (kind) (void)arguments.names("script", {}, script_kinds());
+  const int threads = arguments.threads().most;
+  const Study study = study_of(arguments);
+  const Plan plan =
+      plan_of(kind_of(study.given), study.title, arguments.command, variants_of(study.given, study.variations),
+              [](const CaseFile& given) { return inventory(given).catalogue; });
+  for (const std::string& warning : plan.warnings) print_warning(warning);
+  if (arguments.has("dry-run")) {
+    print_runs(plan);
+    return 0;
+  }
+  const fs::path folder = folder_of(arguments);
+  const Interrupt interrupt;
+  const OpenCampaign campaign = open_campaign(folder, plan, arguments.force(), run_kinds());
+  if (kind) {
+    const fs::path script = write_script(*kind, plan, folder);
+    std::cout << "written to " << script.string() << "; when its runs are over: riedel collect " << folder.string()
+              << "\n";
+    return 0;
+  }
+  carry_out(plan, folder, {"compare", threads, [&] { return static_cast<bool>(interrupt); }});
+  const int code = write_results(campaign.plan, folder);
+  return interrupt ? interrupt.exit_code() : code;
+}
+
+int collect(const Arguments& arguments) {
+  if (arguments.words.empty()) throw InputError("riedel collect needs the folder of a campaign");
+  const fs::path folder = arguments.words.front();
+  const Plan plan = read_campaign(folder, run_kinds());
+  const FolderLock lock(folder, arguments.command); // or what a campaign writes at its end could be older than this
+  return write_results(plan, folder);
+}
+
+} // namespace riedel

@@ -1,0 +1,35 @@
+/// Who carries out an element test: from a validated case to a curve.
+#pragma once
+
+#include "apps/element/curve.hpp"
+#include "core/base/thread_choice.hpp"
+#include "core/interface/catalogue.hpp"
+
+namespace riedel {
+
+/// What a driver tells, and asks, on its way.
+struct ElementWatch {
+  std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
+  std::function<bool()> stop;                                     ///< asked after each step
+  ThreadRange threads = {};                                       ///< of a specimen of many points
+};
+
+/// A driver returns what came out, also when the material could not follow: then `failure` says why.
+struct ElementDriver {
+  std::string name, summary;
+  ElementCurve (*run)(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+};
+
+/// A line each.
+const std::vector<ElementDriver>& element_drivers();
+std::vector<std::string> element_driver_names();
+/// The driver that `driver.kind` names.
+const ElementDriver& element_driver(const Values& values);
+
+/// One point under mixed control.
+ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+
+/// A specimen of cells between smooth plates, under any scheme.
+ElementCurve run_mpm_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+
+} // namespace riedel

@@ -1,0 +1,234 @@
+#include "apps/element/keys.hpp"
+
+#include "apps/case_kind.hpp"
+#include "apps/element/drivers.hpp"
+#include "apps/element/path_check.hpp"
+#include "apps/element/path_keys.hpp"
+#include "apps/element/specimen.hpp"
+#include "core/case/dimension_check.hpp"
+#include "core/case/interpolation_keys.hpp"
+#include "core/case/step_keys.hpp"
+#include "core/case/transfer_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace riedel {
+
+namespace {
+
+const Bounds any{};
+
+Key pressure_key(const std::string& name, double standard, std::string doc) {
+  return {"loading." + name, standard, "Pa", more_than(0), std::move(doc)};
+}
+Key strain_key(double standard, std::string doc, double most = 1.0) {
+  return {"loading.final_strain", standard, "-", within(0, most), std::move(doc)};
+}
+
+Keys start_keys(const std::string& test) {
+  const std::string u = "vertical strain u/h0 at which the test ends";
+  if (test == "oedometer")
+    return {pressure_key("initial_pressure", 1e3, "pressure from all sides at the start"), strain_key(0.06, u),
+            pressure_key("final_stress", 3e6, "vertical stress at which the test ends, if it comes first")};
+  if (test == "shear")
+    return {pressure_key("normal_stress", 200e3, "normal stress, constant, and pressure from all sides at the start"),
+            strain_key(0.5, "shear strain u/h0 at which the test ends", 100.0)};
+  if (test == "biaxial")
+    return {pressure_key("confining_pressure", 50e3, "lateral pressure, constant"), strain_key(0.06, u)};
+  return {pressure_key("confining_pressure", 500e3, "lateral pressure, constant"), strain_key(0.3, u)};
+}
+
+Keys problem_keys(const std::string& test) {
+  Keys keys{{"test", test, "", any, "what is done to the element", element_tests()},
+            {"specimen.void_ratio", test == "biaxial" ? 0.55 : 0.60, "-", more_than(0), "initial void ratio e0"}};
+  if (test == "path") {
+    append(keys,
+           {{"specimen.water_bulk_modulus", 0.0, "Pa", at_least(0),
+             "of water that fills the pores and does not leave them, such as 2.2 GPa; 0: none"},
+            {"initial.sigma", std::vector{100e3, 100e3, 100e3}, "Pa", at_least(0),
+             "stresses along 1, 2, 3 at the start, compression positive"},
+            {"initial.tau", 0.0, "Pa", any, "shear stress 12 at the start"},
+            {"initial.tau_13", 0.0, "Pa", any, "shear stress 13 at the start"},
+            {"initial.tau_23", 0.0, "Pa", any, "shear stress 23 at the start"},
+            {"initial.pore_pressure", 0.0, "Pa", any, "pressure of the pore water at the start, part of initial.sigma"},
+            {"initial.intergranular_strain", std::vector{0.0, 0.0, 0.0}, "-", any,
+             "intergranular strain along 1, 2, 3 at the start, compression positive"}});
+    return keys;
+  }
+  append(keys, start_keys(test));
+  keys.push_back({"loading.rate", 0.01, "1/s", more_than(0), "rate of u/h0; of no effect where the law knows no rate"});
+  return keys;
+}
+
+Keys point_keys() {
+  return {{"driver.kind", "point", "", any, "what carries the test out", element_driver_names()},
+          {"driver.tolerance", 1e-6, "-", between(1e-12, 0.1),
+           "point: error allowed in a step, relative to the stress and to the strain of the step"}};
+}
+
+/// Of the specimen that the mpm driver runs.
+Keys mpm_keys(const Catalogue& catalogue) {
+  Keys keys{
+      {"scheme", "gimp", "", any, "interpolation between points and grid", catalogue.in_2d.schemes.names()},
+      {"specimen.size", 0.01, "m", more_than(0), "edge of the specimen, a square or a cube"},
+      {"specimen.points_per_cell", std::int64_t{2}, "-", between(1, 10),
+       "material points in a cell, per direction; with one a cell's stretching has no inertia"},
+      {"specimen.interior",
+       "affine",
+       "",
+       any,
+       "nodes between the plates: move in proportion, so that the specimen stays homogeneous, or are free; in the "
+       "shear test always affine",
+       {"affine", "free"}},
+      {"grid.cells", std::int64_t{1}, "-", between(1, 1000), "cells along each edge of the specimen"},
+      {"grid.dimensions",
+       "auto",
+       "-",
+       between(2, 3),
+       "2: plane strain; auto: 3 for the triaxial test, 2 for the others",
+       {"auto"}},
+      {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
+      {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
+  append(keys, interpolation_keys(catalogue));
+  append(keys, step_keys(element_step_defaults));
+  for (Key& key : keys) key.doc = "mpm: " + key.doc;
+  return keys;
+}
+
+Keys output_keys() {
+  return {{"output.every_strain", 5e-4, "-", within(0, 1),
+           "strain between rows of element.csv at most; rows are closer where the stress turns"},
+          {"output.plots", true, "", any, "write pictures (PNG)"}};
+}
+
+void refine_law(Keys& keys) {
+  const auto found = std::ranges::find(keys, "material.tolerance", &Key::name);
+  if (found != keys.end()) found->default_value = element_law_tolerance;
+}
+
+StartPressure start_pressure(const Values& v) {
+  if (v.text("test") == "path") {
+    const auto& sigma = v.numbers("initial.sigma");
+    return {(sigma[0] + sigma[1] + sigma[2]) / 3.0 - v.number("initial.pore_pressure"), "initial.sigma",
+            "initial stress"};
+  }
+  for (const auto& [key, name] :
+       {std::pair{"loading.initial_pressure", "initial pressure"}, {"loading.normal_stress", "normal stress"}})
+    if (v.has(key)) return {v.number(key), key, name};
+  return {v.number("loading.confining_pressure"), "loading.confining_pressure", "confining pressure"};
+}
+
+/// A start with intergranular strain needs a law that has it, and lies in its elastic range.
+void check_intergranular_strain(const Values& v, std::vector<Finding>& errors) {
+  double squares = 0.0;
+  for (const double h : v.numbers("initial.intergranular_strain")) squares += h * h;
+  if (squares == 0.0) return;
+  if (!v.has("material.intergranular_strain") || !v.flag("material.intergranular_strain"))
+    errors.push_back({{"initial.intergranular_strain"},
+                      "the law carries no intergranular strain; allowed: 0, or material.intergranular_strain = true"});
+  else if (std::sqrt(squares) > v.number("material.R") * (1.0 + 1e-9))
+    errors.push_back({{"initial.intergranular_strain", "material.R"},
+                      "its norm, " + rounded(std::sqrt(squares)) +
+                          ", is out of range; allowed: at most R = " + rounded(v.number("material.R"))});
+}
+
+/// A specimen of more points would fill the memory before its first step.
+void check_points(const Values& v, std::vector<Finding>& errors) {
+  constexpr double most = 1e7;
+  const double edge = static_cast<double>(v.integer("grid.cells") * v.integer("specimen.points_per_cell"));
+  const double points = std::pow(edge, dimensions_of_element(v));
+  if (points > most)
+    errors.push_back({{"grid.cells", "specimen.points_per_cell"},
+                      exact_text(static_cast<double>(v.integer("grid.cells"))) + " along each edge make " +
+                          rounded(points) + " points; allowed: at most " + rounded(most)});
+}
+
+/// What the mpm driver cannot do.
+void check_specimen(const Values& v, std::vector<Finding>& errors) {
+  const std::string& test = v.text("test");
+  if (test == "path") {
+    errors.push_back(
+        {{"driver.kind"},
+         "\"mpm\" carries out no path: its specimen stands between plates; allowed: \"point\", or one of the "
+         "tests oedometer, triaxial, shear, biaxial"});
+    return;
+  }
+  check_points(v, errors);
+  if (v.is_text("grid.dimensions")) return;
+  const double dimensions = v.number("grid.dimensions");
+  if (dimensions != 2.0 && dimensions != 3.0)
+    errors.push_back({{"grid.dimensions"}, exact_text(dimensions) + " is no number of dimensions; allowed: 2, 3"});
+  else if (test == "triaxial" && dimensions == 2.0)
+    errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a triaxial test is not; allowed: 3, \"auto\""});
+}
+
+Findings check_element(const Values& v, const Catalogue& catalogue) {
+  Findings found;
+  check_limits_of_void_ratio(v, found.errors);
+  const StartPressure start = start_pressure(v);
+  const double least = v.has("material.minimum_pressure") ? v.number("material.minimum_pressure") : -1.0;
+  if (start.p + cohesion_pressure(v) <= least)
+    found.errors.push_back({{start.key, "material.minimum_pressure"},
+                            "the mean pressure at the start, " + rounded(start.p) + " Pa, must exceed " +
+                                rounded(least - cohesion_pressure(v)) +
+                                " Pa (material.minimum_pressure): below it the grains are apart"});
+  else
+    check_void_ratio(v, "specimen.void_ratio", start, found.errors);
+  if (v.text("test") == "path") {
+    check_path(v, found.errors);
+    check_intergranular_strain(v, found.errors);
+  } else {
+    check_rows(v, element_path(v), found.errors);
+  }
+  if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
+  if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
+    check_step(v, catalogue, found.errors);
+    check_interpolation(v, catalogue, found.errors);
+    check_offered(v, catalogue, dimensions_of_element(v), found.errors);
+    check_transfer(v, catalogue, found);
+  }
+  return found;
+}
+
+} // namespace
+
+const std::vector<std::string>& element_tests() {
+  static const std::vector<std::string> all{"oedometer", "triaxial", "shear", "biaxial", "path"};
+  return all;
+}
+
+Keys element_keys(const Catalogue& catalogue, const std::string& test, std::string_view model) {
+  Keys keys = problem_keys(test);
+  append_material(keys, catalogue, model, paper_model);
+  refine_law(keys);
+  append(keys, point_keys());
+  if (test != "path") append(keys, mpm_keys(catalogue));
+  append(keys, output_keys());
+  return keys;
+}
+
+std::optional<std::string> test_of(const CaseFile& given) { return given.peek_text("test"); }
+
+CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
+  const std::string wish = test_of(given).value_or("triaxial");
+  const bool known = std::ranges::find(element_tests(), wish) != element_tests().end();
+  Keys keys = element_keys(catalogue, known ? wish : "triaxial", model_of(given));
+  if (wish == "path") append(keys, path_keys(given));
+  CheckedCase checked = checked_case(
+      given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); },
+      [&](std::vector<Finding>& errors) {
+        explain_unknown_element_keys(given, known ? wish : "triaxial", catalogue, errors);
+      });
+  try_material(given, checked.values, catalogue);
+  // A measure that a stage leaves free is no condition, and a sine without amplitude is none: nothing to write down.
+  std::erase_if(checked.keys, [&](const Key& key) {
+    if (!key.name.starts_with("stage.")) return false;
+    const bool wave = key.name.ends_with(swing_key("")) || key.name.ends_with(phase_key(""));
+    if (key.name.ends_with("deformation_gradient")) return checked.values.numbers(key.name).empty();
+    return checked.values.at(key.name) == (wave ? Value(0.0) : Value(std::string(free_word)));
+  });
+  return checked;
+}
+
+} // namespace riedel

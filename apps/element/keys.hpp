@@ -1,0 +1,26 @@
+/// The keys of an element test: one table that makes the validator, `--help`, the reference and the schema.
+#pragma once
+
+#include "apps/paper_model.hpp"
+#include "core/case/checked_case.hpp"
+#include "core/case/material_keys.hpp"
+
+namespace riedel {
+
+/// The tests of the paper, plane strain compression, and any path that the case describes.
+const std::vector<std::string>& element_tests();
+
+/// Default of `material.tolerance`: a point costs so little that its law can be integrated more finely than on a grid.
+inline constexpr double element_law_tolerance = 1e-7;
+
+/// Every default is the paper's value, or one that shows what its figures show.
+/// @param test one of `element_tests()`   @param model the law whose parameters are appended
+Keys element_keys(const Catalogue& catalogue, const std::string& test, std::string_view model);
+
+/// The test that a case names, if it is an element test.
+std::optional<std::string> test_of(const CaseFile& given);
+
+/// @throws InputError with a line for everything that is wrong
+CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue);
+
+} // namespace riedel

@@ -1,0 +1,168 @@
+#include "apps/element/path.hpp"
+
+#include "apps/element/path_keys.hpp"
+#include "core/base/error.hpp"
+#include "core/io/units.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace riedel {
+
+namespace {
+
+using Wishes = std::vector<std::pair<const char*, std::optional<double>>>;
+constexpr std::optional<double> hold = std::nullopt;
+
+PathLeg leg_of(const Wishes& wishes) {
+  PathLeg leg;
+  for (const auto& [name, target] : wishes) leg.prescriptions.push_back({&find_measure(name), target});
+  return leg;
+}
+
+Sym<double> isotropic(double pressure) { return -pressure * Sym<double>::identity(); }
+
+/// The tests of the paper (oedometer, triaxial compression, shear with free dilatancy) and plane strain compression.
+ElementPath named_path(const Values& v, const std::string& test) {
+  const double strain = v.number("loading.final_strain");
+  ElementPath path{.stress = {}, .stages = {{.name = test, .legs = {}}}, .friction = Friction::in_plane};
+  PathStage& stage = path.stages.front();
+  Wishes wishes{{"gamma", hold}, {"gamma_13", hold}, {"gamma_23", hold}};
+  if (test == "oedometer") {
+    path.stress = isotropic(v.number("loading.initial_pressure"));
+    wishes.insert(wishes.end(), {{"eps_1", strain}, {"eps_2", hold}, {"eps_3", hold}});
+    stage.until = Stop{.measure = &find_measure("sigma_1"), .above = true, .limit = v.number("loading.final_stress")};
+  } else if (test == "shear") {
+    path.stress = isotropic(v.number("loading.normal_stress"));
+    wishes = {{"gamma", strain}, {"gamma_13", hold}, {"gamma_23", hold},
+              {"eps_1", hold},   {"sigma_2", hold},  {"eps_3", hold}};
+    path.friction = Friction::on_planes;
+  } else {
+    path.stress = isotropic(v.number("loading.confining_pressure"));
+    wishes.insert(wishes.end(),
+                  {{"eps_1", strain}, {"sigma_2", hold}, {test == "biaxial" ? "eps_3" : "sigma_3", hold}});
+  }
+  stage.legs.push_back(leg_of(wishes));
+  stage.legs.front().duration = strain / v.number("loading.rate");
+  return path;
+}
+
+/// A key of a leg, or else of its stage.
+const Value& wish(const Values& v, const std::string& stage, const std::string& leg, const std::string& name) {
+  const bool in_leg = v.has(leg + name) && v.at(leg + name) != Value(std::string(free_word));
+  return v.at((in_leg ? leg : stage) + name);
+}
+
+/// The sine of a measure, in the leg or else in its stage.
+void add_wave(Prescription& to, const Values& v, const std::string& stage, const std::string& leg) {
+  const std::string name = to.measure->name;
+  const std::string& from = v.number(leg + swing_key(name)) != 0.0 ? leg : stage;
+  to.swing = v.number(from + swing_key(name));
+  to.phase = v.number(from + phase_key(name)) * std::numbers::pi / 180.0;
+}
+
+std::optional<Mat<3>> given_deformation(const Values& v, const std::string& stage, const std::string& leg) {
+  const bool in_leg = !v.numbers(leg + "deformation_gradient").empty();
+  const std::vector<double>& F = v.numbers((in_leg ? leg : stage) + "deformation_gradient");
+  if (F.size() != 9) return std::nullopt; // told by the check of the path
+  return Mat<3>(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(F.data()));
+}
+
+PathLeg given_leg(const Values& v, const std::string& stage, const std::string& leg) {
+  PathLeg result{.prescriptions = {},
+                 .deformation = given_deformation(v, stage, leg),
+                 .relative = v.flag(stage + "relative"),
+                 .duration = v.number(leg + "duration"),
+                 .spin = v.flag(stage + "spin")};
+  const auto given = [&](const std::string& name) {
+    return wish(v, stage, leg, name) != Value(std::string(free_word));
+  };
+  for (const Measure& measure : measures()) {
+    if (!measure.can_be_prescribed || !given(measure.name)) continue;
+    const Value& value = wish(v, stage, leg, measure.name);
+    const bool held = std::holds_alternative<std::string>(value);
+    result.prescriptions.push_back({&measure, held ? hold : std::optional(std::get<double>(value))});
+    add_wave(result.prescriptions.back(), v, stage, leg);
+  }
+  if (result.deformation) return result; // no shear is held
+  for (const std::array<const char*, 3>& shear :
+       {std::array{"gamma", "tau", "ln_12"}, {"gamma_13", "tau_13", "ln_13"}, {"gamma_23", "tau_23", "ln_23"}})
+    if (std::ranges::none_of(shear, given)) result.prescriptions.push_back({&find_measure(shear.front()), hold});
+  return result;
+}
+
+ElementPath given_path(const Values& v) {
+  const std::vector<double>& sigma = v.numbers("initial.sigma");
+  const PoreWater water{.bulk_modulus = v.number("specimen.water_bulk_modulus"),
+                        .initial_pressure = v.number("initial.pore_pressure")};
+  ElementPath path{.stress = water.initial_pressure * Sym<double>::identity(), .stages = {}, .water = water};
+  for (std::size_t c = 0; c < 3; ++c) path.stress.m[c] -= sigma[c];
+  for (const auto& [c, key] : {std::pair{3, "initial.tau"}, {4, "initial.tau_13"}, {5, "initial.tau_23"}})
+    path.stress.m[static_cast<std::size_t>(c)] = std::numbers::sqrt2 * v.number(key);
+  for (int s = 1; v.has(stage_prefix(s) + "repeat"); ++s) {
+    const std::string at = stage_prefix(s);
+    PathStage& stage = path.stages.emplace_back();
+    stage.name = v.text(at + "name").empty() ? "stage " + std::to_string(s) : v.text(at + "name");
+    stage.repeat = v.integer(at + "repeat");
+    if (!v.text(at + "until").empty()) stage.until = parse_stop(v.text(at + "until"));
+    for (int l = 1; v.has(leg_prefix(s, l) + "duration"); ++l) stage.legs.push_back(given_leg(v, at, leg_prefix(s, l)));
+    if (stage.legs.empty()) stage.legs.push_back(given_leg(v, at, at));
+  }
+  return path;
+}
+
+/// A number in the measure's own unit, or a text with a unit.
+double limit_in(const std::string& text, const std::string& unit) {
+  double x = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  const bool plain = error == std::errc{} && end == text.data() + text.size() && std::isfinite(x);
+  return plain ? x : read_quantity(text, unit);
+}
+
+} // namespace
+
+Stop parse_stop(const std::string& text) {
+  const std::size_t sign = text.find_first_of("<>");
+  if (sign == std::string::npos)
+    throw InputError("'" + text + "' is no limit; allowed: a measure, < or >, and a number, such as \"p < 20 kPa\"");
+  const auto trimmed = [](std::string word) {
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    return word;
+  };
+  const Measure& measure = find_measure(trimmed(text.substr(0, sign)));
+  return {
+      .measure = &measure, .above = text[sign] == '>', .limit = limit_in(trimmed(text.substr(sign + 1)), measure.unit)};
+}
+
+std::string Stop::text() const {
+  return measure->name + (above ? " > " : " < ") + exact_text(limit) +
+         (measure->unit == "-" ? "" : " " + measure->unit);
+}
+
+Leg leg_from(const PathLeg& leg, const LawPoint& point, const PoreWater& water) {
+  Leg result{.conditions = {},
+             .duration = leg.duration,
+             .motion = leg.spin ? Leg::Motion::simple_shear : Leg::Motion::no_spin};
+  if (leg.deformation) {
+    result.motion = Leg::Motion::given;
+    result.deformation = *leg.deformation;
+    return result;
+  }
+  for (std::size_t c = 0; c < result.conditions.size(); ++c) {
+    const auto& [measure, target, swing, phase] = leg.prescriptions.at(c);
+    const double now = measure->at(point, water), start = leg.relative || !target ? now : 0.0;
+    result.conditions[c] = condition(*measure, water, start + target.value_or(0.0));
+    result.conditions[c].swing = swing;
+    result.conditions[c].phase = phase;
+  }
+  return result;
+}
+
+ElementPath element_path(const Values& values) {
+  const std::string& test = values.text("test");
+  return test == "path" ? given_path(values) : named_path(values, test);
+}
+
+} // namespace riedel

@@ -1,0 +1,62 @@
+/// The path that an element test leads a point along: stages, each a number of legs that may be repeated.
+#pragma once
+
+#include "apps/element/curve.hpp"
+#include "apps/element/measures.hpp"
+#include "core/base/parameters.hpp"
+
+#include <optional>
+
+namespace riedel {
+
+/// "p < 20 kPa": what ends a stage early.
+struct Stop {
+  const Measure* measure;
+  bool above; ///< ends when the measure is above the limit, or else below
+  double limit;
+
+  [[nodiscard]] bool reached(const LawPoint& point, const PoreWater& water) const {
+    const double value = measure->at(point, water);
+    return above ? value > limit : value < limit;
+  }
+  [[nodiscard]] std::string text() const; ///< "p < 20000 Pa"
+};
+/// @throws InputError that says what is allowed
+Stop parse_stop(const std::string& text);
+
+/// What a measure becomes at the end of a leg; no target: it stays as it is.
+struct Prescription {
+  const Measure* measure;
+  std::optional<double> target;
+  double swing = 0.0, phase = 0.0; ///< of a sine upon the straight line, as in Condition; phase [rad]
+};
+
+struct PathLeg {
+  std::vector<Prescription> prescriptions; ///< six, or none beside a deformation gradient
+  std::optional<Mat<3>> deformation = {};  ///< from the start of the leg to its end
+  bool relative = false;                   ///< targets are changes from the start of the leg
+  double duration = 1.0;                   ///< [s]
+  bool spin = true;                        ///< shears turn the normals of the sheared planes
+};
+
+struct PathStage {
+  std::string name;
+  std::vector<PathLeg> legs;
+  std::int64_t repeat = 1;
+  std::optional<Stop> until = {};
+};
+
+struct ElementPath {
+  Sym<double> stress; ///< effective, at the start, tension positive [Pa]
+  std::vector<PathStage> stages;
+  Friction friction = Friction::principal; ///< what phi_mob is
+  PoreWater water = {};
+};
+
+/// The leg for a point that stands at its start.
+Leg leg_from(const PathLeg& leg, const LawPoint& point, const PoreWater& water);
+
+/// The path of a validated element case.
+ElementPath element_path(const Values& values);
+
+} // namespace riedel

@@ -1,0 +1,15 @@
+/// What no single key of a path can see.
+#pragma once
+
+#include "apps/element/path.hpp"
+#include "core/case/checked_case.hpp"
+
+namespace riedel {
+
+/// Six conditions in each leg or a deformation gradient, limits that can be read, at least one stage.
+void check_path(const Values& values, std::vector<Finding>& errors);
+
+/// A path that nothing ends early must not ask for more rows than can be kept.
+void check_rows(const Values& values, const ElementPath& path, std::vector<Finding>& errors);
+
+} // namespace riedel

@@ -1,0 +1,41 @@
+/// The pictures of element tests.
+#pragma once
+
+#include "apps/element/curve.hpp"
+#include "core/draw/plot.hpp"
+#include "core/io/table.hpp"
+
+#include <optional>
+
+namespace riedel {
+
+/// A curve with its name in the legend; empty: no legend.
+struct NamedCurve {
+  std::string label;
+  ElementCurve curve;
+};
+
+/// What every picture shows beside the curves: a measured one, say.
+struct Overlay {
+  std::string label;
+  Table table; ///< columns named as in element.csv
+};
+
+/// A picture and the name of its file.
+struct ElementPlot {
+  std::string file;
+  Plot plot;
+};
+/// @param curves of one test   @param subject behind the test's name in the title
+/// @return all that change; those for which the overlay has no columns leave it out
+std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                       const std::string& subject);
+
+/// The same as PNG files. @return their names
+std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                      const std::string& subject, const std::filesystem::path& folder);
+
+/// @throws InputError when the file has no pair of columns that a picture of the test shows
+Overlay read_overlay(const std::filesystem::path& path, const std::string& test);
+
+} // namespace riedel

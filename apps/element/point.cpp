@@ -1,0 +1,108 @@
+/// The point driver as a driver of element tests.
+#include "apps/element/drivers.hpp"
+#include "apps/element/path.hpp"
+#include "apps/element/rows.hpp"
+
+namespace riedel {
+
+namespace {
+
+LawPoint start_of(const Material& law, const Sym<double>& stress, const Values& values) {
+  LawPoint start{.stress = stress, .state = law.initial_state()};
+  const int e = state_column(law.states(), "void_ratio");
+  if (e >= 0) start.state[static_cast<std::size_t>(e)] = values.number("specimen.void_ratio");
+  const int h = state_column(law.states(), "intergranular_strain");
+  if (h >= 0 && values.has("initial.intergranular_strain"))
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const double x = values.numbers("initial.intergranular_strain")[c]; x != 0.0)
+        start.state[static_cast<std::size_t>(h) + c] = -x;
+  if (survey(law, start).out_of_bounds > 0)
+    throw InputError("the law does not admit the state at the start: void ratio " +
+                     exact_text(values.number("specimen.void_ratio")) + ", mean pressure " +
+                     exact_text(-trace(stress) / 3.0) + " Pa");
+  return start;
+}
+
+std::string numbered(const PathStage& stage, std::size_t number) {
+  const std::string plain = "stage " + std::to_string(number);
+  return stage.name == plain ? plain : plain + " (" + stage.name + ")";
+}
+
+/// Leads a point through the stages of a path.
+class Journey {
+public:
+  Journey(PointDriver& driver, const ElementPath& path, const ElementWatch& watch, ElementRows& rows,
+          ElementCurve& curve)
+      : driver_(driver), path_(path), watch_(watch), rows_(rows), curve_(curve) {}
+
+  /// @return whether the test goes on
+  bool follow(const PathStage& stage) {
+    const auto number = static_cast<std::size_t>(&stage - path_.stages.data()) + 1;
+    for (std::int64_t round = 1; round <= stage.repeat; ++round) {
+      rows_.begin(static_cast<std::int64_t>(number), round);
+      const std::string place = numbered(stage, number) + (stage.repeat > 1 ? ", cycle " + std::to_string(round) : "");
+      for (const PathLeg& leg : stage.legs) {
+        const End end = follow(leg, stage);
+        rows_.write();
+        if (end == End::interrupted) curve_.interrupted = place;
+        if (end == End::limit) curve_.ends.push_back(place + ": ended by " + stage.until->text());
+        if (end != End::reached) return end == End::limit;
+      }
+    }
+    return true;
+  }
+
+private:
+  enum class End { reached, limit, interrupted };
+
+  End follow(const PathLeg& leg, const PathStage& stage) {
+    End end = End::reached;
+    driver_.follow(leg_from(leg, driver_.point(), path_.water), [&](const LawPoint& point) {
+      rows_.look(point);
+      if (watch_.stop())
+        end = End::interrupted;
+      else if (stage.until && stage.until->reached(point, path_.water))
+        end = End::limit;
+      return end == End::reached;
+    });
+    return end;
+  }
+
+  PointDriver& driver_;
+  const ElementPath& path_;
+  const ElementWatch& watch_;
+  ElementRows& rows_;
+  ElementCurve& curve_;
+};
+
+} // namespace
+
+ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch) {
+  const ElementPath path = element_path(values);
+  const auto law = catalogue.materials.find(values.text("material.model")).make(values.section("material"));
+  const LawPoint start = start_of(*law, path.stress, values);
+  ElementCurve curve{.test = values.text("test"), .water = path.water.present()};
+  const double every = values.number("output.every_strain");
+  PointDriver driver(*law, start,
+                     {.tolerance = values.number("driver.tolerance"),
+                      .largest_strain = every,
+                      .added_stiffness = path.water.bulk_modulus});
+  ElementRows rows(*law, values.number("specimen.void_ratio"), every, path.friction, path.water, watch, curve.rows);
+  rows.look(start);
+  Journey journey(driver, path, watch, rows, curve);
+  for (const PathStage& stage : path.stages) {
+    if (&stage != &path.stages.front()) driver.begin_stage();
+    try {
+      if (!journey.follow(stage)) break;
+    } catch (const RunError& error) {
+      rows.write();
+      curve.failure = stage.name + ": " + error.what();
+      break;
+    }
+  }
+  curve.steps = driver.steps();
+  curve.report = driver.report();
+  return curve;
+}
+
+} // namespace riedel

@@ -1,0 +1,69 @@
+/// Measures a shear band in a plane strain specimen. Choices and their reasons: docs/theory/shear_band.md.
+#pragma once
+
+#include "core/analysis/band_line.hpp"
+
+#include <limits>
+#include <span>
+#include <string>
+
+namespace riedel {
+
+/// What is known of the points, one number each.
+struct BandFields {
+  std::span<const double> x;                  ///< horizontal position [m]
+  std::span<const double> y;                  ///< vertical position [m]
+  std::span<const double> volume;             ///< per metre of thickness [m²]
+  std::span<const double> void_ratio;         ///< e [-]; empty: the law has none, and shear stands for the dilation
+  std::span<const double> initial_void_ratio; ///< e0 [-]
+  std::span<const double> rotation;           ///< of the point since the start, anticlockwise positive [rad]
+  std::span<const double> shear;              ///< accumulated shear strain [-], or the norm of its rate [1/s]
+  std::span<const double> rate = {};          ///< ‖D‖ at this instant [1/s]; empty: not known
+
+  [[nodiscard]] bool by_shear() const { return void_ratio.empty(); }
+};
+
+struct BandSettings {
+  double length = 0.0;             ///< l_c, to express the thickness in; 0: local [m]
+  double threshold = 0.70;         ///< void ratio from which the paper counts a point to the band [-]
+  double least_ratio = 2.0;        ///< localisation ratio below which there is no band [-]
+  double least_dilation = 0.01;    ///< rise of e over the rest of the specimen below which there is no band [-]
+  double least_slenderness = 1.25; ///< length of the straight part over the width below which a zone is diffuse [-]
+};
+
+/// `diffuse`: strain has gathered, but in no band to speak of, or hardly.
+enum class BandKind { none, diffuse, single, x };
+[[nodiscard]] const char* name_of(BandKind kind); ///< "none", "diffuse", "single", "x"
+
+/// A figure that there is none of: not a number.
+inline constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
+
+/// The stronger of the two conjugate bands, or the diffuse zone in its place. A figure that does not exist is
+/// `no_figure`.
+struct ShearBand {
+  bool found = false; ///< a single band or an x
+  BandKind kind = BandKind::none;
+  bool by_shear = false;               ///< the shear strain stands for the dilation
+  double inclination_deg = no_figure;  ///< to the horizontal, 0 to 90 [deg]
+  bool rises_to_the_right = false;     ///< else to the left
+  double thickness_m = no_figure;      ///< the paper's way: area with e above the threshold over length [m]
+  double thickness_fwhm_m = no_figure; ///< full width at half maximum of the dilation across the band [m]
+  /// Full width at half maximum of ‖D‖ across the band, where the rates are known [m].
+  double thickness_rate_m = no_figure;
+  double thickness_over_lc = no_figure;  ///< thickness_m / l_c; none for a local law [-]
+  double threshold = no_figure;          ///< void ratio that thickness_m counts from [-]
+  double void_ratio_inside = no_figure;  ///< mean e over the middle half of the width [-]
+  double localisation_ratio = no_figure; ///< mean of the top tenth of `shear` over its median [-]
+  double conjugate_ratio = no_figure;    ///< dilated volume of the weaker band over that of the stronger [-]
+  double straight_length_m = no_figure;  ///< length of the part that was measured [m]
+
+  BandLine line{}; ///< its middle and its ends, in the axes of the fields
+
+  /// Why the figures are to be doubted: widths that differ threefold, a kind that is a matter of chance. Empty:
+  /// nothing.
+  [[nodiscard]] std::string doubt() const;
+};
+
+[[nodiscard]] ShearBand measure_shear_band(const BandFields& fields, const BandSettings& settings = {});
+
+} // namespace riedel

@@ -1,0 +1,35 @@
+/// What runs look like on a page.
+#pragma once
+
+#include "core/campaign/run_result.hpp"
+#include "core/draw/drawn_fields.hpp"
+#include "core/draw/page.hpp"
+#include "core/io/frame.hpp"
+
+#include <optional>
+#include <span>
+
+namespace riedel {
+
+/// The curves of all runs that have one; the runs' names are the ids.
+Plot curves_of(Runs runs, const std::string& title, const CurveAxes& axes);
+
+/// What the runs differ in; those that are not done with the reason.
+PageTable settings_table(Runs runs);
+
+/// A value of a biaxial history at a strain, by straight lines between rows; none outside of it.
+std::optional<double> history_at(const RunResult& run, const std::string& column, double u_over_h);
+/// The frame nearest to a strain that the run has reached, in three dimensions its mean over the depth; none where no
+/// frames were written, or none of which that mean could be taken.
+std::optional<Frame> frame_at(const RunResult& run, double u_over_h);
+/// The same; none, and a warning, where it is damaged.
+std::optional<Frame> readable_frame(const RunResult& run, double u_over_h);
+/// The strain that every run with frames has reached.
+double common_strain(Runs runs);
+
+/// One range for a field of several frames, without the most extreme 0.2 % of the points.
+Interval field_range(std::span<const Frame> frames, const DrawnField& field);
+/// A field of all runs that have frames, in colours of that range.
+PagePictures field_pictures(Runs runs, const DrawnField& field, double u_over_h);
+
+} // namespace riedel

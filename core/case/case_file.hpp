@@ -1,0 +1,70 @@
+/// A case: a TOML file, the settings of the command line on top of it, and what a table of keys makes of both.
+#pragma once
+
+#include "core/case/given.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <unordered_set>
+
+namespace riedel {
+
+/// Something to tell about the values of some keys; the first key says where.
+struct Finding {
+  std::vector<std::string> keys;
+  std::string text; ///< without the place
+};
+
+/// Values in force, with the default wherever the given one is wrong, and what is wrong.
+struct CheckedValues {
+  Values values;
+  std::vector<Finding> errors;
+};
+
+class CaseFile {
+public:
+  /// Nothing given: every key keeps its default.
+  static CaseFile empty() { return {}; }
+  /// @throws InputError: missing, unreadable, or not TOML (with line and column)
+  static CaseFile read(const std::filesystem::path& path);
+  /// A text as a case file. @param called what messages call it   @throws InputError
+  static CaseFile from_text(std::string_view text, const std::string& called);
+
+  /// One `--set key.path=value`; the value is TOML, or else a text as it stands. The last setting of a key wins.
+  /// @param source what messages call the place it comes from   @throws InputError for what is no such setting
+  void override_with(std::string_view assignment, const std::string& source = "--set");
+
+  /// The text given for a key, before validation: a law's name decides which parameters there are.
+  [[nodiscard]] std::optional<std::string> peek_text(std::string_view key) const;
+
+  /// The texts of a list; none if the key is not given. @throws InputError, with the place, if it is something else
+  [[nodiscard]] std::optional<std::vector<std::string>> peek_texts(std::string_view key) const;
+
+  /// The keys that were given in a section, in their order.
+  [[nodiscard]] std::vector<std::string> names_in(std::string_view section) const;
+  /// The same case without them.
+  [[nodiscard]] CaseFile without(std::string_view section) const;
+
+  /// Number of tables in an array: [[stage]] tables have the keys "stage.1.…", "stage.2.…", which may also be written
+  /// as [stage.1] or --set stage.1.…; those behind a gap are not counted.
+  [[nodiscard]] int count(std::string_view list) const;
+
+  /// Where a key was given: "case.toml:12:9: specimen.width", "--set specimen.width" or "specimen.width (default)".
+  [[nodiscard]] std::string place(std::string_view key) const;
+
+  /// Checks everything that was given against the keys.
+  [[nodiscard]] CheckedValues check(const Keys& keys) const;
+  /// The same, but throws one InputError with a line for each error.
+  [[nodiscard]] Values validate(const Keys& keys) const;
+
+  /// A line per finding, each beginning with its place.
+  [[nodiscard]] std::string lines(const std::vector<Finding>& findings) const;
+
+private:
+  [[nodiscard]] const Given* find(std::string_view key) const;
+
+  std::vector<Given> given_;              ///< in the order of the file, then that of the settings
+  std::unordered_set<std::string> names_; ///< of all that was ever given
+};
+
+} // namespace riedel

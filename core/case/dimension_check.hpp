@@ -1,0 +1,12 @@
+/// Whether what a case names is there in its number of dimensions.
+#pragma once
+
+#include "core/case/checked_case.hpp"
+#include "core/interface/catalogue.hpp"
+
+namespace riedel {
+
+/// Looks at scheme, search and averager. The choices of their keys are the names in two dimensions.
+void check_offered(const Values& values, const Catalogue& catalogue, int dimensions, std::vector<Finding>& errors);
+
+} // namespace riedel

@@ -1,0 +1,31 @@
+/// The keys of the time step, which every simulation takes, and what they set.
+#pragma once
+
+#include "core/case/checked_case.hpp"
+#include "core/interface/catalogue.hpp"
+#include "core/step/model.hpp"
+
+namespace riedel {
+
+/// What "auto" means for rates: shares of the rate at which waves cross the specimen's width.
+struct StepDefaults {
+  double damping = 2.0;
+  double stress_filter = 2.0;
+  bool slow_damp_more = true; ///< the damping grows where loading is slow
+};
+
+/// All keys of the section `time`.
+Keys step_keys(const StepDefaults& defaults = {});
+
+/// What these keys cannot be together.
+void check_step(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors);
+
+/// Whether the keys ask for the stress filter.
+bool filters_stresses(const Values& values);
+
+/// What these keys say of a model that has its scheme.
+/// @param crossing_rate at which waves cross the specimen's width at the start [1/s]
+template <int Dim>
+void set_step(Model<Dim>& model, const Values& values, double crossing_rate, const StepDefaults& defaults = {});
+
+} // namespace riedel
