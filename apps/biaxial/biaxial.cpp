@@ -61,7 +61,7 @@ void write_failure(const std::filesystem::path& folder, const std::string& reaso
 }
 
 template <int Dim>
-void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interrupt, ThreadChoice& threads,
+void advance(BiaxialRun<Dim>& run, const BiaxialCase& values, const Interrupt& interrupt, ThreadChoice& threads,
              TimeStepWatch& watch) {
   Progress progress("biaxial");
   watch.look(run.simulation());
@@ -71,7 +71,7 @@ void advance(BiaxialRun<Dim>& run, const Values& values, const Interrupt& interr
         watch.look(run.simulation());
         std::array<char, 48> note{};
         std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h, row.angle);
-        progress.update(row.u_over_h / values.number("loading.final_strain"), note.data());
+        progress.update(row.u_over_h / values.loading.final_strain, note.data());
       });
   run.finish();
 }
@@ -92,6 +92,7 @@ void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& su
 /// What a run was asked for.
 struct Order {
   CheckedCase given;
+  BiaxialCase test;
   Catalogue catalogue;
   ThreadRange threads;
 };
@@ -104,13 +105,13 @@ template <int Dim>
 int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
-  const Values& values = order.given.values;
+  const BiaxialCase& values = order.test;
   require_threads(order.threads.most);
   ThreadChoice threads(order.threads);
   BiaxialRun<Dim> run(values, order.catalogue, output.path());
   output.replace();
   stage = Stage::begun;
-  write_atomically(output.path() / "case.toml", case_text(order.given.keys, values));
+  write_atomically(output.path() / "case.toml", case_text(order.given.keys, order.given.values));
   run.begin();
   TimeStepWatch watch;
   const auto ending = [&](const std::string& status, const std::string& reason = "") {
@@ -132,7 +133,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   write_summary(output.path(), result);
   stage = Stage::told;
   std::vector<std::string> pictures;
-  if (values.flag("output.plots"))
+  if (values.output.plots)
     try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
   print_result(result, output.path(), pictures);
   warn_of_doubts(run, result, watch.most());
@@ -143,7 +144,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
 int run_to_some_end(const Order& order, OutputFolder& output) {
   Stage stage = Stage::before;
   try {
-    const bool slab = dimensions_of_biaxial(order.given.values) == 3;
+    const bool slab = order.test.grid.dimensions == 3;
     return (slab ? run_case<3> : run_case<2>)(order, output, stage);
   } catch (const std::exception& error) {
     const bool wrong_input =
@@ -162,8 +163,9 @@ int biaxial(const Arguments& arguments) {
   CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& note : given.notes) print_note(note);
   for (const std::string& warning : given.warnings) print_warning(warning);
-  require_memory(given.values, catalogue, file);
-  const Order order{std::move(given), std::move(catalogue), arguments.threads()};
+  BiaxialCase test(given.values);
+  require_memory(test, catalogue, file);
+  const Order order{std::move(given), std::move(test), std::move(catalogue), arguments.threads()};
   OutputFolder output(arguments.out("results/biaxial"), arguments.command, arguments.force());
   return run_to_some_end(order, output);
 }

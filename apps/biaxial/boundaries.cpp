@@ -62,9 +62,9 @@ void set_turned_platens(State<Dim>& state, const SpecimenGeometry<Dim>& s, const
 } // namespace
 
 template <int Dim>
-void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& s, const Values& v) {
+void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& s, const BiaxialCase& v) {
   const auto still = [](double) { return 0.0; };
-  const auto down = ramped(-v.number("loading.speed"), v.number("loading.ramp_time"));
+  const auto down = ramped(-v.loading.speed, v.loading.ramp_time);
   if (!s.turn.is_none) return set_turned_platens<Dim>(state, s, still, down);
   Counts<Dim> end = state.grid.nodes;
   for (Index& n : end) --n;
@@ -86,7 +86,7 @@ void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Di
     model.conditions.push_back(rows("back", 2, 0, s.margin_below[2], still));
     model.conditions.push_back(rows("front", 2, s.margin_below[2] + s.cells[2], end[2], still));
   }
-  if (v.text("loading.platen") == "rigid_points") {
+  if (v.loading.platen == BiaxialCase::Platen::rigid_points) {
     state.rigid_bodies.push_back(rigid_platen<Dim>("top", s, s.cells[1], down));
   } else {
     model.conditions.push_back(rows("top", 1, top, end[1], down));
@@ -96,17 +96,17 @@ void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Di
 
 template <int Dim>
 void set_lateral_pressure(Model<Dim>& model, const Points<Dim>& points, const SpecimenGeometry<Dim>& specimen,
-                          const Values& v) {
-  const double pressure = v.number("loading.confining_pressure");
-  if (v.text("loading.lateral") == "points")
+                          const BiaxialCase& v) {
+  const double pressure = v.loading.confining_pressure;
+  if (v.loading.lateral == BiaxialCase::Lateral::points)
     model.surface_tractions.push_back(side_pressure(specimen, points, pressure));
   else
     model.confining_pressure = pressure;
 }
 
-template void set_platens<2>(Model<2>&, State<2>&, const SpecimenGeometry<2>&, const Values&);
-template void set_platens<3>(Model<3>&, State<3>&, const SpecimenGeometry<3>&, const Values&);
-template void set_lateral_pressure<2>(Model<2>&, const Points<2>&, const SpecimenGeometry<2>&, const Values&);
-template void set_lateral_pressure<3>(Model<3>&, const Points<3>&, const SpecimenGeometry<3>&, const Values&);
+template void set_platens<2>(Model<2>&, State<2>&, const SpecimenGeometry<2>&, const BiaxialCase&);
+template void set_platens<3>(Model<3>&, State<3>&, const SpecimenGeometry<3>&, const BiaxialCase&);
+template void set_lateral_pressure<2>(Model<2>&, const Points<2>&, const SpecimenGeometry<2>&, const BiaxialCase&);
+template void set_lateral_pressure<3>(Model<3>&, const Points<3>&, const SpecimenGeometry<3>&, const BiaxialCase&);
 
 } // namespace riedel

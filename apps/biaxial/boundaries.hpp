@@ -11,11 +11,12 @@ namespace riedel {
 /// @param model receives conditions and, for a platen that the grid follows, the moving grid
 /// @param state receives the rigid bodies
 template <int Dim>
-void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& specimen, const Values& values);
+void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& specimen,
+                 const BiaxialCase& values);
 
 /// The lateral pressure, as a virtual stress or on the points at the sides.
 template <int Dim>
 void set_lateral_pressure(Model<Dim>& model, const Points<Dim>& points, const SpecimenGeometry<Dim>& specimen,
-                          const Values& values);
+                          const BiaxialCase& values);
 
 } // namespace riedel

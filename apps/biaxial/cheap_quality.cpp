@@ -71,10 +71,10 @@ double upper_velocity(const Points<Dim>& points, std::size_t in_layer, const Vec
 } // namespace
 
 template <int Dim>
-CheapQuality cheap_quality(const Body<Dim>& specimen, const Values& values) {
+CheapQuality cheap_quality(const Body<Dim>& specimen, const BiaxialCase& values) {
   const auto [in_row, in_layer] = PointRows(values);
-  return {.alternation = alternation(specimen, in_row, values.number("specimen.void_ratio")),
-          .stressless = stressless(specimen.points, least_share * values.number("loading.confining_pressure")),
+  return {.alternation = alternation(specimen, in_row, values.specimen.void_ratio),
+          .stressless = stressless(specimen.points, least_share * values.loading.confining_pressure),
           .block_velocity = upper_velocity(specimen.points, in_layer, Turn(values).rotation.col(0))};
 }
 
@@ -93,7 +93,7 @@ double swing(const std::vector<double>& u, const std::vector<double>& velocity) 
   return std::sqrt(rest / n) / std::abs(mean);
 }
 
-template CheapQuality cheap_quality<2>(const Body<2>&, const Values&);
-template CheapQuality cheap_quality<3>(const Body<3>&, const Values&);
+template CheapQuality cheap_quality<2>(const Body<2>&, const BiaxialCase&);
+template CheapQuality cheap_quality<3>(const Body<3>&, const BiaxialCase&);
 
 } // namespace riedel

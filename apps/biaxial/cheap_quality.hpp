@@ -1,6 +1,7 @@
 /// Signs of unsound stresses that cost little to look at in every row of a history.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "core/step/state.hpp"
 
 namespace riedel {
@@ -15,7 +16,7 @@ struct CheapQuality {
 
 /// Of the specimen of a biaxial test, whose points were numbered row by row.
 template <int Dim>
-CheapQuality cheap_quality(const Body<Dim>& specimen, const Values& values);
+CheapQuality cheap_quality(const Body<Dim>& specimen, const BiaxialCase& values);
 
 /// How much a velocity swings: rms about the straight line through it, over its mean; not a number of fewer than four.
 double swing(const std::vector<double>& u, const std::vector<double>& velocity);

@@ -16,12 +16,12 @@ namespace riedel {
 
 namespace {
 
-void check_imperfection(const Values& v, std::vector<Finding>& errors) {
+void check_imperfection(const BiaxialCase& v, std::vector<Finding>& errors) {
   constexpr double round_off = 1e-9;
-  const auto &size = v.numbers("imperfection.size"), &centre = v.numbers("imperfection.centre");
+  const auto &size = v.imperfection.size, &centre = v.imperfection.centre;
   const std::vector<std::string> edges{"specimen.width", "specimen.height"};
   for (std::size_t axis = 0; axis < edges.size(); ++axis) {
-    const double length = v.number(edges[axis]), middle = centre[axis] * length, half = 0.5 * size[axis];
+    const double length = v.keys.number(edges[axis]), middle = centre[axis] * length, half = 0.5 * size[axis];
     if (middle - half >= -round_off * length && middle + half <= (1.0 + round_off) * length) continue;
     errors.push_back({{"imperfection.centre", "imperfection.size", edges[axis]},
                       "the patch reaches from " + rounded(middle - half) + " m to " + rounded(middle + half) +
@@ -29,7 +29,7 @@ void check_imperfection(const Values& v, std::vector<Finding>& errors) {
   }
 }
 
-void check_number_of_points(const Values& v, std::vector<Finding>& errors) {
+void check_number_of_points(const BiaxialCase& v, std::vector<Finding>& errors) {
   const double points = expected_points(v);
   const double most = std::numeric_limits<Index>::max();
   if (points > most)
@@ -37,37 +37,39 @@ void check_number_of_points(const Values& v, std::vector<Finding>& errors) {
                       exact_text(points) + " points are too many; allowed: at most " + exact_text(most)});
 }
 
-void check_depth(const Values& v, std::vector<Finding>& errors) {
-  const std::int64_t depth = v.integer("specimen.depth_cells");
-  if (dimensions_of_biaxial(v) == 2 && depth != 1)
+void check_depth(const BiaxialCase& v, std::vector<Finding>& errors) {
+  const std::int64_t depth = v.specimen.depth_cells;
+  if (v.grid.dimensions == 2 && depth != 1)
     errors.push_back({{"specimen.depth_cells", "grid.dimensions"},
                       std::to_string(depth) + " means nothing in two dimensions; leave it out, or take "
                                               "grid.dimensions = 3"});
 }
 
 /// Beside rigid points the grid can stand askew; conditions on rows of nodes and forces on columns of points cannot.
-void check_rotation(const Values& v, std::vector<Finding>& errors) {
+void check_rotation(const BiaxialCase& v, std::vector<Finding>& errors) {
   const std::string turned = "specimen.rotation";
-  if (v.number(turned) == 0.0) return;
+  if (v.specimen.rotation == 0.0) return;
   const auto refuse = [&](const char* key, const std::string& what, const std::string& wanted) {
     errors.push_back(
         {{key, turned},
-         what + " does not go with a specimen turned by " + exact_text(v.number(turned)) + " deg; take " + wanted});
+         what + " does not go with a specimen turned by " + exact_text(v.specimen.rotation) + " deg; take " + wanted});
   };
-  if (v.text("loading.platen") != "rigid_points") refuse("loading.platen", "\"moving_grid\"", "\"rigid_points\"");
-  if (v.text("loading.lateral") != "virtual_stress") refuse("loading.lateral", "\"points\"", "\"virtual_stress\"");
-  if (dimensions_of_biaxial(v) == 3) refuse("grid.dimensions", "3", "2");
+  if (v.loading.platen != BiaxialCase::Platen::rigid_points)
+    refuse("loading.platen", "\"moving_grid\"", "\"rigid_points\"");
+  if (v.loading.lateral != BiaxialCase::Lateral::virtual_stress)
+    refuse("loading.lateral", "\"points\"", "\"virtual_stress\"");
+  if (v.grid.dimensions == 3) refuse("grid.dimensions", "3", "2");
 }
 
 /// A sum over points h apart acts like the integral only while h is not much above l_c.
-void check_spacing(const Values& v, std::vector<Finding>& warnings) {
+void check_spacing(const BiaxialCase& v, std::vector<Finding>& warnings) {
   constexpr double greatest_ratio = 1.12; // 1.1; 24 × 84 cells of the paper (1.111 for l_c = 1.5 mm) are fine enough
-  const double l_c = v.number("nonlocal.length");
-  const auto& cells = v.integers("grid.cells");
-  const double per_direction = static_cast<double>(v.integer("specimen.points_per_cell"));
-  const double h = std::max(v.number("specimen.width") / static_cast<double>(cells[0]),
-                            v.number("specimen.height") / static_cast<double>(cells[1])) /
-                   per_direction;
+  const double l_c = v.nonlocal.length;
+  const auto& cells = v.grid.cells;
+  const double per_direction = static_cast<double>(v.specimen.points_per_cell);
+  const double h =
+      std::max(v.specimen.width / static_cast<double>(cells[0]), v.specimen.height / static_cast<double>(cells[1])) /
+      per_direction;
   if (l_c == 0.0 || h <= greatest_ratio * l_c) return;
   warnings.push_back({{"nonlocal.length", "grid.cells", "specimen.points_per_cell"},
                       "the points are " + rounded(h) + " m apart, more than 1.1 l_c = " + rounded(1.1 * l_c) +
@@ -76,17 +78,17 @@ void check_spacing(const Values& v, std::vector<Finding>& warnings) {
 
 /// Points at the sides push their share of the pressure onto hats; the stress behind them must push back alike. For a
 /// law and a scheme that are sound: looks at the forces themselves.
-void check_sides(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+void check_sides(const BiaxialCase& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   constexpr double most = 0.01; // share of the pressure
-  if (v.text("loading.lateral") != "points" || !errors.empty()) return;
+  if (v.loading.lateral != BiaxialCase::Lateral::points || !errors.empty()) return;
   const double imbalance = imbalance_at_start(v, catalogue);
   if (imbalance <= most) return;
-  const std::string& scheme = v.text("scheme");
-  const std::string per_cell = std::to_string(v.integer("specimen.points_per_cell"));
+  const std::string& scheme = v.scheme;
+  const std::string per_cell = std::to_string(v.specimen.points_per_cell);
   std::string others;
-  Values with = v;
+  BiaxialCase with = v;
   for (const std::string& name : catalogue.in_2d.schemes.names()) {
-    with.set("scheme", name);
+    with.scheme = name;
     if (imbalance_at_start(with, catalogue) <= most) others += ", " + name;
   }
   errors.push_back({{"loading.lateral", "scheme", "specimen.points_per_cell"},
@@ -98,18 +100,19 @@ void check_sides(const Values& v, const Catalogue& catalogue, std::vector<Findin
 
 } // namespace
 
-Findings check_biaxial(const Values& values, const Catalogue& catalogue) {
+Findings check_biaxial(const BiaxialCase& values, const Catalogue& catalogue) {
   Findings found;
-  check_limits_of_void_ratio(values, found.errors);
+  check_limits_of_void_ratio(values.keys, found.errors);
   const std::string pressure = "loading.confining_pressure";
   for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})
-    check_void_ratio(values, key, {values.number(pressure), pressure, "confining pressure"}, found.errors);
+    check_void_ratio(values.keys, key, {values.loading.confining_pressure, pressure, "confining pressure"},
+                     found.errors);
   check_imperfection(values, found.errors);
-  check_step(values, catalogue, found.errors);
-  check_interpolation(values, catalogue, found.errors);
-  check_transfer(values, catalogue, found);
+  check_step(values.keys, catalogue, found.errors);
+  check_interpolation(values.keys, catalogue, found.errors);
+  check_transfer(values.keys, catalogue, found);
   check_depth(values, found.errors);
-  check_offered(values, catalogue, dimensions_of_biaxial(values), found.errors);
+  check_offered(values.keys, catalogue, values.grid.dimensions, found.errors);
   check_number_of_points(values, found.errors);
   check_rotation(values, found.errors);
   check_random_field(values, catalogue, found);

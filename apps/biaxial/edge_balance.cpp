@@ -7,22 +7,22 @@
 
 namespace riedel {
 
-double imbalance_at_start(const Values& values, const Catalogue& catalogue) {
+double imbalance_at_start(const BiaxialCase& values, const Catalogue& catalogue) {
   constexpr Index cells = 8;  // supports at the two sides do not meet
   const ThreadLimit limit(1); // too small to share
-  Values few = values;
-  few.set("grid.cells", std::vector<std::int64_t>{cells, cells});
-  few.set("grid.dimensions", std::int64_t{2}); // weights over a depth are factors of all forces
-  few.set("loading.platen", std::string("moving_grid"));
-  few.set("loading.gravity", 0.0);
-  few.set("nonlocal.length", 0.0);
+  BiaxialCase few = values;
+  few.grid.cells = {cells, cells};
+  few.grid.dimensions = 2; // weights over a depth are factors of all forces
+  few.loading.platen = BiaxialCase::Platen::moving_grid;
+  few.loading.gravity = 0.0;
+  few.nonlocal.length = 0.0;
   Simulation<2> simulation = make_biaxial<2>(few, catalogue);
   State<2>& state = simulation.state();
   locate_points(state, simulation.model());
   points_to_grid(state, simulation.model());
 
   const Walls& platens = state.grid.walls[1];
-  const double unit = few.number("loading.confining_pressure") * state.grid.cell[1];
+  const double unit = few.loading.confining_pressure * state.grid.cell[1];
   double greatest = 0.0;
   for (Index i = 0; i < state.nodes.size(); ++i) {
     const Index row = state.grid.index(i)[1];

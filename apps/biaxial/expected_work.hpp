@@ -1,6 +1,7 @@
 /// How much a biaxial case is to compute, before it runs.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "materials/element/wave_speeds.hpp"
 
 namespace riedel {
@@ -17,12 +18,12 @@ struct ExpectedWork {
 };
 
 /// Number of points of a biaxial case.
-double expected_points(const Values& values);
+double expected_points(const BiaxialCase& values);
 
 /// Of the specimen under its confining pressure.
-WaveSpeeds wave_speeds(const Values& values, const Material& law);
+WaveSpeeds wave_speeds(const BiaxialCase& values, const Material& law);
 
 /// Steps are those of the loaded specimen: most of a test runs near or past its peak.
-ExpectedWork expected_work(const Values& values, const WaveSpeeds& speeds);
+ExpectedWork expected_work(const BiaxialCase& values, const WaveSpeeds& speeds);
 
 } // namespace riedel

@@ -7,18 +7,15 @@
 
 namespace riedel {
 
-int dimensions_of_biaxial(const Values& values) { return static_cast<int>(values.integer("grid.dimensions")); }
-
-double specimen_depth(const Values& values) {
-  if (dimensions_of_biaxial(values) == 2) return 1.0;
-  const double cell = values.number("specimen.width") / static_cast<double>(values.integers("grid.cells")[0]);
-  return cell * values.number("specimen.depth_cells");
+double specimen_depth(const BiaxialCase& values) {
+  if (values.grid.dimensions == 2) return 1.0;
+  const double cell = values.specimen.width / static_cast<double>(values.grid.cells[0]);
+  return cell * static_cast<double>(values.specimen.depth_cells);
 }
 
-Turn::Turn(const Values& v)
-    : centre(0.5 * v.number("specimen.width"), 0.5 * v.number("specimen.height")),
-      is_none(v.number("specimen.rotation") == 0.0) {
-  const double angle = v.number("specimen.rotation") * std::numbers::pi / 180.0;
+Turn::Turn(const BiaxialCase& v)
+    : centre(0.5 * v.specimen.width, 0.5 * v.specimen.height), is_none(v.specimen.rotation == 0.0) {
+  const double angle = v.specimen.rotation * std::numbers::pi / 180.0;
   rotation << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   if (is_none) rotation.setIdentity();
 }
@@ -45,21 +42,21 @@ void turn_points(Points<Dim>& points, const Turn& turn) {
 }
 
 template <int Dim>
-SpecimenGeometry<Dim>::SpecimenGeometry(const Values& v, const ShapeFunction<Dim>& scheme) : turn(v) {
-  size[0] = v.number("specimen.width");
-  size[1] = v.number("specimen.height");
-  for (int a = 0; a < 2; ++a) cells[a] = static_cast<Index>(v.integers("grid.cells")[static_cast<std::size_t>(a)]);
+SpecimenGeometry<Dim>::SpecimenGeometry(const BiaxialCase& v, const ShapeFunction<Dim>& scheme) : turn(v) {
+  size[0] = v.specimen.width;
+  size[1] = v.specimen.height;
+  for (int a = 0; a < 2; ++a) cells[a] = static_cast<Index>(v.grid.cells[static_cast<std::size_t>(a)]);
   if constexpr (Dim == 3) {
     size[2] = specimen_depth(v);
-    cells[2] = static_cast<Index>(v.integer("specimen.depth_cells"));
+    cells[2] = static_cast<Index>(v.specimen.depth_cells);
   }
   for (int a = 0; a < Dim; ++a) cell[a] = size[a] / cells[a];
   // A block above a band slides sideways by about 0.7 u; the specimen may also bulge.
-  const double sideways = 0.75 * v.number("loading.final_strain") * size[1] + 0.15 * size[0];
+  const double sideways = 0.75 * v.loading.final_strain * size[1] + 0.15 * size[0];
   margin_below.fill(scheme.margin() + 1);
   margin_below[0] += static_cast<Index>(std::ceil(sideways / cell[0]));
   margin_above = margin_below;
-  if (v.text("loading.platen") == "rigid_points") margin_above[1] += 3;
+  if (v.loading.platen == BiaxialCase::Platen::rigid_points) margin_above[1] += 3;
   if (!turn.is_none) margin_below[1] += 3;
 }
 
@@ -87,9 +84,9 @@ Grid<Dim> SpecimenGeometry<Dim>::grid() const {
   return grid;
 }
 
-PointRows::PointRows(const Values& values) {
-  const auto& cells = values.integers("grid.cells");
-  const auto per_cell = static_cast<std::size_t>(values.integer("specimen.points_per_cell"));
+PointRows::PointRows(const BiaxialCase& values) {
+  const auto& cells = values.grid.cells;
+  const auto per_cell = static_cast<std::size_t>(values.specimen.points_per_cell);
   in_row = static_cast<std::size_t>(cells[0]) * per_cell;
   in_layer = in_row * static_cast<std::size_t>(cells[1]) * per_cell;
 }

@@ -1,15 +1,13 @@
 /// Where the biaxial specimen stands in its grid, and the points that fill it.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "core/interface/shape_function.hpp"
 
 namespace riedel {
 
-/// Two for the plane; three for a slab of it between smooth walls.
-int dimensions_of_biaxial(const Values& values);
-
 /// Depth of the slab [m]; in two dimensions 1, because all that is told there is per metre of it.
-double specimen_depth(const Values& values);
+double specimen_depth(const BiaxialCase& values);
 
 /// How the specimen lies in the grid: turned about its middle by specimen.rotation.
 struct Turn {
@@ -17,7 +15,7 @@ struct Turn {
   Mat<2> rotation;      ///< from the specimen's axes to the grid's
   bool is_none = false; ///< to the bit
 
-  explicit Turn(const Values& values);
+  explicit Turn(const BiaxialCase& values);
   [[nodiscard]] Vec<2> to_grid(const Vec<2>& x) const { return centre + rotation * (x - centre); }
   [[nodiscard]] Vec<2> to_specimen(const Vec<2>& x) const { return centre + rotation.transpose() * (x - centre); }
 };
@@ -36,7 +34,7 @@ struct SpecimenGeometry {
 
   Turn turn;
 
-  SpecimenGeometry(const Values& values, const ShapeFunction<Dim>& scheme);
+  SpecimenGeometry(const BiaxialCase& values, const ShapeFunction<Dim>& scheme);
   [[nodiscard]] Grid<Dim> grid() const;
 };
 
@@ -44,7 +42,7 @@ struct SpecimenGeometry {
 struct PointRows {
   std::size_t in_row, in_layer;
 
-  explicit PointRows(const Values& values);
+  explicit PointRows(const BiaxialCase& values);
 };
 
 } // namespace riedel

@@ -2,6 +2,7 @@
 /// schema.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "apps/paper_model.hpp"
 #include "core/case/checked_case.hpp"
 #include "core/case/material_keys.hpp"
@@ -14,7 +15,7 @@ namespace riedel {
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model);
 
 /// What one key cannot see.
-Findings check_biaxial(const Values& values, const Catalogue& catalogue);
+Findings check_biaxial(const BiaxialCase& values, const Catalogue& catalogue);
 
 /// @throws InputError with a line for everything that is wrong
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue);

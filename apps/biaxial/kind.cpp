@@ -21,13 +21,19 @@ std::vector<std::string> words(const CaseFile&) { return {"biaxial"}; }
 Keys keys(const CaseFile& given, const Catalogue& catalogue) { return biaxial_keys(catalogue, model_of(given)); }
 
 ExpectedRun expect(const Values& values, const Catalogue& catalogue) {
-  return {.work = expected_work_of(values, catalogue).work,
-          .end = values.number("loading.final_strain"),
-          .memory = memory_needed(values, catalogue).of_case()};
+  const BiaxialCase given(values);
+  return {.work = expected_work_of(given, catalogue).work,
+          .end = given.loading.final_strain,
+          .memory = memory_needed(given, catalogue).of_case()};
 }
 
 std::vector<Finding> doubts(const Values& values, const Catalogue& catalogue) {
-  return time_step_doubts(values, expected_work_of(values, catalogue));
+  const BiaxialCase given(values);
+  return time_step_doubts(given, expected_work_of(given, catalogue));
+}
+
+std::string outlook(const Values& values, const Catalogue& catalogue, ThreadRange threads) {
+  return biaxial_outlook(BiaxialCase(values), catalogue, threads);
 }
 
 std::string help(const CaseFile& given, const Catalogue& catalogue) {
@@ -56,7 +62,7 @@ RunKind biaxial_kind() {
                     .check = biaxial_case,
                     .expect = expect,
                     .doubts = doubts,
-                    .outlook = biaxial_outlook,
+                    .outlook = outlook,
                     .help = help,
                     .schema = schema},
           .curve_file = "history.csv",

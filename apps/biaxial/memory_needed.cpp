@@ -51,29 +51,30 @@ double bytes_of_frame(int states) {
 }
 
 template <int Dim>
-double bytes_of_stencils(const Values& v, const ShapeFunction<Dim>& scheme, double points) {
+double bytes_of_stencils(const BiaxialCase& v, const ShapeFunction<Dim>& scheme, double points) {
   const double all = points * scheme.max_nodes() * entry_bytes<Dim>();
-  const bool kept = v.text("time.order") == "usf" || filters_stresses(v); // the filter keeps them for its steps
+  const bool kept =
+      v.keys.text("time.order") == "usf" || filters_stresses(v.keys); // the filter keeps them for its steps
   return kept || all <= little_room ? all : 0.0;
 }
 
 template <int Dim>
-double bytes_of_neighbours(const Values& v, const std::array<double, 3>& counts, const Vec<Dim>& spacing) {
+double bytes_of_neighbours(const BiaxialCase& v, const std::array<double, 3>& counts, const Vec<Dim>& spacing) {
   constexpr double bytes_of_pair = 10.0, reach = 3.1; // 8 at first; 12 in a later search, beside the old weights
-  const double length = v.number("nonlocal.length");
+  const double length = v.nonlocal.length;
   if (length == 0.0) return 0.0;
-  if (v.text("nonlocal.averager") == "gauss_grid") return 0.0;
+  if (v.nonlocal.averager == "gauss_grid") return 0.0;
   std::array<double, 3> apart{spacing[0], spacing[1], 1.0};
   if constexpr (Dim == 3) apart[2] = spacing[2];
   return bytes_of_pair * pairs_within(counts, apart, reach * length);
 }
 
 template <int Dim>
-MemoryNeeded needed(const Values& v, const Catalogue& catalogue) {
-  const auto scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
-  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+MemoryNeeded needed(const BiaxialCase& v, const Catalogue& catalogue) {
+  const auto scheme = catalogue.in<Dim>().schemes.find(v.scheme).make(v.interpolation);
+  const auto law = catalogue.materials.find(v.material.model).make(v.material.parameters);
   const SpecimenGeometry<Dim> specimen(v, *scheme);
-  const double per_direction = v.number("specimen.points_per_cell");
+  const double per_direction = static_cast<double>(v.specimen.points_per_cell);
   std::array<double, 3> counts{1.0, 1.0, 1.0};
   double points = 1.0;
   for (std::size_t a = 0; a < Dim; ++a) points *= counts[a] = specimen.cells[a] * per_direction;
@@ -82,22 +83,22 @@ MemoryNeeded needed(const Values& v, const Catalogue& catalogue) {
   for (const Index n : grid.nodes) nodes *= n;
 
   const int states = state_components(law->states());
-  const VelocityTransfer transfer = transfer_named(v.text("time.transfer"));
+  const VelocityTransfer transfer = transfer_named(v.keys.text("time.transfer"));
   MemoryNeeded need{.program = bytes_of_program};
   constexpr double numbering = 6 * sizeof(Index) + sizeof(double); // ids, places and the space of a sort
   need.points = points * (sizeof(double) * columns_of_a_point(*scheme, states, is_affine(transfer)) + numbering);
   constexpr double sums = sizeof(NodeSums<Dim>), motion = sizeof(NodeMotion<Dim>), number = sizeof(double);
   need.nodes =
       nodes * (sums + motion * (transfer == VelocityTransfer::xpic ? 2.0 : 1.0) + number * scheme->node_columns());
-  if (filters_stresses(v)) {
+  if (filters_stresses(v.keys)) {
     need.points += points * (sizeof(Few<8>) + number);
     need.nodes += nodes * (3.0 * sizeof(Few<8>) + number);
   }
   need.stencils = bytes_of_stencils<Dim>(v, *scheme, points);
   need.neighbours =
       law->nonlocal_variables().empty() ? 0.0 : bytes_of_neighbours<Dim>(v, counts, specimen.cell / per_direction);
-  if (v.flag("output.vtk") || v.flag("output.plots")) need.frames = points * bytes_of_frame<Dim>(states);
-  if (v.flag("output.plots")) need.frames = std::max(need.frames, bytes_of_pictures);
+  if (v.output.vtk || v.output.plots) need.frames = points * bytes_of_frame<Dim>(states);
+  if (v.output.plots) need.frames = std::max(need.frames, bytes_of_pictures);
   return need;
 }
 
@@ -117,11 +118,11 @@ double pairs_within(const std::array<double, 3>& counts, const std::array<double
   return pairs;
 }
 
-MemoryNeeded memory_needed(const Values& values, const Catalogue& catalogue) {
-  return dimensions_of_biaxial(values) == 3 ? needed<3>(values, catalogue) : needed<2>(values, catalogue);
+MemoryNeeded memory_needed(const BiaxialCase& values, const Catalogue& catalogue) {
+  return values.grid.dimensions == 3 ? needed<3>(values, catalogue) : needed<2>(values, catalogue);
 }
 
-void require_memory(const Values& values, const Catalogue& catalogue, const CaseFile& file) {
+void require_memory(const BiaxialCase& values, const Catalogue& catalogue, const CaseFile& file) {
   const MemoryNeeded need = memory_needed(values, catalogue);
   const MemoryThere there = memory_there();
   if (need.of_case() <= there.bytes) return;

@@ -1,6 +1,7 @@
 /// The memory that a run of the biaxial test takes, before it begins.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "core/case/case_file.hpp"
 #include "core/interface/catalogue.hpp"
 
@@ -17,13 +18,13 @@ struct MemoryNeeded {
 };
 
 /// Within 30 % of what is measured (tests/apps/test_memory.cpp), from the case's numbers alone: nothing is allocated.
-MemoryNeeded memory_needed(const Values& values, const Catalogue& catalogue);
+MemoryNeeded memory_needed(const BiaxialCase& values, const Catalogue& catalogue);
 
 /// Pairs of points of a regular lattice that are no further apart than `radius`, each with itself and both ways.
 /// @param counts of points along each axis   @param spacing between them [m]   @param radius [m]
 double pairs_within(const std::array<double, 3>& counts, const std::array<double, 3>& spacing, double radius);
 
 /// @throws InputError that names the keys, when the case needs more memory than there is
-void require_memory(const Values& values, const Catalogue& catalogue, const CaseFile& file);
+void require_memory(const BiaxialCase& values, const Catalogue& catalogue, const CaseFile& file);
 
 } // namespace riedel

@@ -11,10 +11,10 @@ namespace riedel {
 namespace {
 
 /// What the rates are that a case leaves to the speed of waves.
-std::string rates_text(const Values& v, const Catalogue& catalogue) {
-  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+std::string rates_text(const BiaxialCase& v, const Catalogue& catalogue) {
+  const auto law = catalogue.materials.find(v.material.model).make(v.material.parameters);
   Model<2> model;
-  model.scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
+  model.scheme = catalogue.in_2d.schemes.find(v.scheme).make(v.interpolation);
   set_biaxial_step(model, v, *law);
   const std::string damping = model.transfer != VelocityTransfer::flip ? "none by FLIP and PIC"
                               : model.damping ? "damping " + short_text(*model.damping) + " 1/s"
@@ -27,11 +27,11 @@ std::string rates_text(const Values& v, const Catalogue& catalogue) {
 
 } // namespace
 
-std::string biaxial_outlook(const Values& v, const Catalogue& catalogue, ThreadRange threads) {
-  std::vector<std::int64_t> cells = v.integers("grid.cells");
-  const double width = v.number("specimen.width") / static_cast<double>(cells[0]),
-               height = v.number("specimen.height") / static_cast<double>(cells[1]);
-  if (dimensions_of_biaxial(v) == 3) cells.push_back(v.integer("specimen.depth_cells"));
+std::string biaxial_outlook(const BiaxialCase& v, const Catalogue& catalogue, ThreadRange threads) {
+  std::vector<std::int64_t> cells(v.grid.cells.begin(), v.grid.cells.end());
+  const double width = v.specimen.width / static_cast<double>(cells[0]),
+               height = v.specimen.height / static_cast<double>(cells[1]);
+  if (v.grid.dimensions == 3) cells.push_back(v.specimen.depth_cells);
   return outlook_head() + outlook_line("expected", expected_text(expected_work_of(v, catalogue))) +
          outlook_line("cells", product_text(cells) + " of " + short_text(1e3 * width) + " mm x " +
                                    short_text(1e3 * height) + " mm") +

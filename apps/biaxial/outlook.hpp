@@ -1,12 +1,13 @@
 /// What a run of the biaxial test will take.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "core/base/thread_choice.hpp"
 #include "core/interface/catalogue.hpp"
 
 namespace riedel {
 
 /// Points, steps and time, cells, memory and threads, as comments behind a case.
-std::string biaxial_outlook(const Values& values, const Catalogue& catalogue, ThreadRange threads);
+std::string biaxial_outlook(const BiaxialCase& values, const Catalogue& catalogue, ThreadRange threads);
 
 } // namespace riedel

@@ -1,16 +1,19 @@
-/// The loose or weak patch of a biaxial specimen.
+/// What makes a biaxial specimen less than perfect: a loose or weak patch, a random field of void ratios.
 #pragma once
 
-#include "core/base/parameters.hpp"
-#include "core/base/types.hpp"
+#include "apps/biaxial/case.hpp"
+#include "core/setup/random_field.hpp"
 
 namespace riedel {
+
+/// The random field of void ratios that a case asks for.
+VoidRatioField random_field(const BiaxialCase& values);
 
 struct SpecimenPatch {
   Vec<2> centre, size; ///< [m]
   double void_ratio;   ///< [-]
 
-  explicit SpecimenPatch(const Values& values);
+  explicit SpecimenPatch(const BiaxialCase& values);
 
   [[nodiscard]] bool is_empty() const { return size.prod() == 0.0; }
   /// Through the whole depth. Half open, so that a patch of whole cells takes that many rows of points wherever its
@@ -20,7 +23,7 @@ struct SpecimenPatch {
     return within(0, x[0]) && within(1, x[1]);
   }
   /// Is there a point of the case's specimen in it?
-  [[nodiscard]] bool holds_a_point(const Values& values) const;
+  [[nodiscard]] bool holds_a_point(const BiaxialCase& values) const;
 
 private:
   [[nodiscard]] bool within(int axis, double x) const {

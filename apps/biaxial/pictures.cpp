@@ -11,16 +11,15 @@ namespace riedel {
 namespace {
 
 /// "gimp, l_c = 1.5 mm, 24×84 cells", in three dimensions "24×84×1 cells"
-std::string title_of(const Values& v) {
-  const double length = v.number("nonlocal.length");
-  const auto& cells = v.integers("grid.cells");
-  const std::string depth =
-      dimensions_of_biaxial(v) == 3 ? "×" + std::to_string(v.integer("specimen.depth_cells")) : "";
-  return v.text("scheme") + ", " + (length > 0 ? "l_c = " + plain_number(1e3 * length) + " mm" : "local") + ", " +
+std::string title_of(const BiaxialCase& v) {
+  const double length = v.nonlocal.length;
+  const auto& cells = v.grid.cells;
+  const std::string depth = v.grid.dimensions == 3 ? "×" + std::to_string(v.specimen.depth_cells) : "";
+  return v.scheme + ", " + (length > 0 ? "l_c = " + plain_number(1e3 * length) + " mm" : "local") + ", " +
          std::to_string(cells[0]) + "×" + std::to_string(cells[1]) + depth + " cells";
 }
 
-Plot history_plot(const std::vector<BiaxialRow>& rows, const Values& values) {
+Plot history_plot(const std::vector<BiaxialRow>& rows, const BiaxialCase& values) {
   Plot plot{.title = "Plane strain compression: " + title_of(values),
             .x_label = "u/h₀ [%]",
             .y_label = "mobilised friction angle φ [°]",
@@ -36,8 +35,8 @@ Plot history_plot(const std::vector<BiaxialRow>& rows, const Values& values) {
 
 } // namespace
 
-std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const Frame& section, const Values& values,
-                                      const std::filesystem::path& folder) {
+std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const Frame& section,
+                                      const BiaxialCase& values, const std::filesystem::path& folder) {
   const Plot plot = history_plot(rows, values);
   write_png(folder / "history.png", plot);
   write_svg(folder / "history.svg", plot);

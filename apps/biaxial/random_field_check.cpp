@@ -25,16 +25,16 @@ struct Outlier {
 /// The points of the specimen, some of them as samples.
 class Search {
 public:
-  Search(const Values& v, const VoidRatioLimits& limits)
-      : field_(v),
+  Search(const BiaxialCase& v, const VoidRatioLimits& limits)
+      : field_(random_field(v)),
         patch_(v),
         limits_(limits),
-        mean_(v.number("specimen.void_ratio")),
-        near_(near_limit * v.number("imperfection.deviation")) {
-    const double wanted = v.number("imperfection.correlation_length") / samples_per_length;
-    const Vec<2> edge(v.number("specimen.width"), v.number("specimen.height"));
+        mean_(v.specimen.void_ratio),
+        near_(near_limit * v.imperfection.deviation) {
+    const double wanted = v.imperfection.correlation_length / samples_per_length;
+    const Vec<2> edge(v.specimen.width, v.specimen.height);
     for (int a = 0; a < 2; ++a) {
-      points_[a] = v.integers("grid.cells")[static_cast<std::size_t>(a)] * v.integer("specimen.points_per_cell");
+      points_[a] = v.grid.cells[static_cast<std::size_t>(a)] * v.specimen.points_per_cell;
       spacing_[a] = edge[a] / static_cast<double>(points_[a]);
       stride_[a] = std::clamp<std::int64_t>(static_cast<std::int64_t>(wanted / spacing_[a]), 1, points_[a]);
     }
@@ -106,17 +106,17 @@ private:
 
 } // namespace
 
-void check_random_field(const Values& v, const Catalogue& catalogue, Findings& found) {
-  if (v.number("imperfection.deviation") == 0.0 || !found.errors.empty()) return;
-  const std::string& model = v.text("material.model");
-  const auto law = catalogue.materials.find(model).make(v.section("material"));
+void check_random_field(const BiaxialCase& v, const Catalogue& catalogue, Findings& found) {
+  if (v.imperfection.deviation == 0.0 || !found.errors.empty()) return;
+  const std::string& model = v.material.model;
+  const auto law = catalogue.materials.find(model).make(v.material.parameters);
   if (state_column(law->states(), "void_ratio") < 0) {
     found.errors.push_back({{"imperfection.deviation", "material.model"},
                             "\"" + model + "\" knows no void ratio that could be random; take 0"});
     return;
   }
-  const bool bounded = has_limits_of_void_ratio(v);
-  const VoidRatioLimits limits = bounded ? limits_of_void_ratio(v, v.number("loading.confining_pressure"))
+  const bool bounded = has_limits_of_void_ratio(v.keys);
+  const VoidRatioLimits limits = bounded ? limits_of_void_ratio(v.keys, v.loading.confining_pressure)
                                          : VoidRatioLimits{0.0, std::numeric_limits<double>::infinity()};
   const std::vector<std::string> keys{"imperfection.deviation", "imperfection.seed", "specimen.void_ratio"};
   const Search search(v, limits);

@@ -32,14 +32,14 @@ constexpr double settled = 0.005;   ///< u/h0 before which the internal energy i
 } // namespace
 
 template <int Dim>
-BiaxialRun<Dim>::BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder)
+BiaxialRun<Dim>::BiaxialRun(const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder)
     : values_(values),
       depth_(specimen_depth(values)),
       simulation_(make_biaxial<Dim>(values, catalogue)),
-      speed_(ramped(values.number("loading.speed"), values.number("loading.ramp_time"))),
+      speed_(ramped(values.loading.speed, values.loading.ramp_time)),
       start_(places_of(simulation_.state())),
       folder_(std::move(folder)) {
-  if (values.flag("output.vtk")) series_.emplace(folder_);
+  if (values.output.vtk) series_.emplace(folder_);
 }
 
 template <int Dim>
@@ -52,7 +52,7 @@ void BiaxialRun<Dim>::begin() {
 template <int Dim>
 void BiaxialRun<Dim>::advance(ThreadChoice& threads, const std::function<bool()>& stop,
                               const std::function<void(const BiaxialRow&)>& at_row) {
-  const double final_strain = values_.number("loading.final_strain");
+  const double final_strain = values_.loading.final_strain;
   while (u_over_h() < final_strain && !stop()) {
     threads.step([&] { simulation_.step(); });
     const double dt = simulation_.time_step();
@@ -76,7 +76,7 @@ void BiaxialRun<Dim>::finish() {
 template <int Dim>
 void BiaxialRun<Dim>::add_row() {
   const State<Dim>& state = simulation_.state();
-  const double at_rest = values_.number("loading.confining_pressure") * values_.number("specimen.width");
+  const double at_rest = values_.loading.confining_pressure * values_.specimen.width;
   BiaxialRow row{.step = state.step, .time = state.time, .u_over_h = u_over_h()};
   row.force = force_time_ > 0.0 ? force_sum_ / force_time_ : at_rest;
   row.angle = mobilised_angle(row.force, values_);
@@ -100,14 +100,14 @@ void BiaxialRun<Dim>::add_row() {
       static_cast<double>(row.quality.stressless), row.quality.block_velocity, row.energies.transfer});
   rows_.push_back(row);
   force_sum_ = force_time_ = 0.0;
-  next_row_ += values_.number("output.every_strain");
+  next_row_ += values_.output.every_strain;
 }
 
 template <int Dim>
 void BiaxialRun<Dim>::add_frame() {
   if (series_) series_->write(frame());
   last_frame_step_ = simulation_.state().step;
-  next_frame_ += values_.number("output.frames_every_strain");
+  next_frame_ += values_.output.frames_every_strain;
 }
 
 template <int Dim>
@@ -134,8 +134,7 @@ template <int Dim>
 double BiaxialRun<Dim>::residual_angle(double u_over_h_at_peak) const {
   constexpr double residual_part = 0.01; // u/h0
   const double end = rows_.back().u_over_h;
-  if (u_over_h() < values_.number("loading.final_strain") || end - u_over_h_at_peak < residual_part)
-    return std::nan("");
+  if (u_over_h() < values_.loading.final_strain || end - u_over_h_at_peak < residual_part) return std::nan("");
   double sum = 0.0, counted = 0.0;
   for (const BiaxialRow& row : rows_)
     if (row.u_over_h > end - residual_part) sum += row.angle, counted += 1.0;
@@ -156,14 +155,14 @@ nlohmann::ordered_json BiaxialRun<Dim>::summary() const {
   const double mass = std::accumulate(points.mass[0], points.mass[0] + points.size(), 0.0);
   double mass_on_grid = 0.0;
   for (const NodeSums<Dim>& node : state.nodes.sums) mass_on_grid += node.mass;
-  return {{"scheme", values_.text("scheme")},
-          {"material", values_.text("material.model")},
+  return {{"scheme", values_.scheme},
+          {"material", values_.material.model},
           {"points", points.size()},
           {"nodes", state.nodes.size()},
           {"steps", state.step},
           {"time_s", state.time},
           {"u_over_h", u_over_h()},
-          {"final_strain", values_.number("loading.final_strain")},
+          {"final_strain", values_.loading.final_strain},
           {"dt_s", once_moved(state.time / static_cast<double>(state.step))},
           {"phi_peak_deg", once_moved(peak->angle)},
           {"u_over_h_at_peak", once_moved(peak->u_over_h)},

@@ -29,7 +29,7 @@ template <int Dim>
 class BiaxialRun {
 public:
   /// Makes the specimen; the folder receives nothing but places for frames. Throws InputError or RunError.
-  BiaxialRun(const Values& values, const Catalogue& catalogue, std::filesystem::path folder);
+  BiaxialRun(const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder);
 
   /// Writes the first row and frame. Throws RunError.
   void begin();
@@ -41,7 +41,7 @@ public:
 
   [[nodiscard]] const Simulation<Dim>& simulation() const { return simulation_; }
   [[nodiscard]] const std::vector<BiaxialRow>& rows() const { return rows_; }
-  [[nodiscard]] double u_over_h() const { return u_ / values_.number("specimen.height"); }
+  [[nodiscard]] double u_over_h() const { return u_ / values_.specimen.height; }
   [[nodiscard]] Frame frame() const;   ///< the present
   [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
   /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
@@ -58,7 +58,7 @@ private:
   void add_row();
   void add_frame();
 
-  const Values& values_;
+  const BiaxialCase& values_;
   double depth_; ///< 1 in two dimensions [m]
   Simulation<Dim> simulation_;
   std::function<double(double)> speed_;

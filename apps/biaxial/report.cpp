@@ -56,7 +56,7 @@ std::string quality_line(const ordered_json& quality) {
 } // namespace
 
 template <int Dim>
-ordered_json biaxial_summary(const BiaxialRun<Dim>& run, const Values& values, const BiaxialEnding& ending) {
+ordered_json biaxial_summary(const BiaxialRun<Dim>& run, const BiaxialCase& values, const BiaxialEnding& ending) {
   const ordered_json known = run.summary();
   const double point_steps = known["points"].get<double>() * known["steps"].get<double>();
   const double kinetic = run.kinetic_over_internal();
@@ -100,7 +100,7 @@ std::string biaxial_text(const ordered_json& s) {
          figure(s, "ns_per_point_step", 1.0, 0, " ns per point and step") + "\n";
 }
 
-template ordered_json biaxial_summary(const BiaxialRun<2>&, const Values&, const BiaxialEnding&);
-template ordered_json biaxial_summary(const BiaxialRun<3>&, const Values&, const BiaxialEnding&);
+template ordered_json biaxial_summary(const BiaxialRun<2>&, const BiaxialCase&, const BiaxialEnding&);
+template ordered_json biaxial_summary(const BiaxialRun<3>&, const BiaxialCase&, const BiaxialEnding&);
 
 } // namespace riedel

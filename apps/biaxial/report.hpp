@@ -20,7 +20,8 @@ struct BiaxialEnding {
 
 /// summary.json. What the run cannot have is null; of a failed run that is the band, too.
 template <int Dim>
-nlohmann::ordered_json biaxial_summary(const BiaxialRun<Dim>& run, const Values& values, const BiaxialEnding& ending);
+nlohmann::ordered_json biaxial_summary(const BiaxialRun<Dim>& run, const BiaxialCase& values,
+                                       const BiaxialEnding& ending);
 
 /// The figures of a summary for a terminal: how far the run came unless it is done, peak, residual angle, band,
 /// energies and time, a line each. A dash stands for what it does not have.

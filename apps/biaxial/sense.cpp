@@ -26,7 +26,7 @@ std::int64_t in_thousandths(double x) {
 
 /// What the checks look at.
 struct Sense {
-  const Values& v;
+  const BiaxialCase& v;
   const Material& law;
   ExpectedWork expected;
   double width, height, wave_speed;
@@ -39,14 +39,14 @@ struct Sense {
     found.errors.push_back({std::move(keys), std::move(text)});
   }
   [[nodiscard]] std::string value(const std::string& key, const std::string& unit) const {
-    return exact_text(v.number(key)) + " " + unit;
+    return exact_text(v.keys.number(key)) + " " + unit;
   }
 };
 
 void check_lengths(const Sense& s) {
   const double least = std::min(s.width, s.height), most = std::max(s.width, s.height);
   const std::string l = "nonlocal.length", unit = "; a number is in metres, a text may have a unit: ";
-  const double l_c = s.v.number(l);
+  const double l_c = s.v.keys.number(l);
   if (l_c > most)
     s.refuse({l, "specimen.width", "specimen.height"}, s.value(l, "m") + " is " + number(l_c / s.width) +
                                                            " times the width of the specimen, " + metres(s.width) +
@@ -56,11 +56,11 @@ void check_lengths(const Sense& s) {
            s.value(l, "m") + ": the average reaches 3 l_c = " + metres(3.0 * l_c) + " to each side, over all of the " +
                metres(least) + " of the specimen");
   for (const char* edge : {"specimen.width", "specimen.height"})
-    if (const double x = s.v.number(edge); x > 10.0 || x < 1e-3)
+    if (const double x = s.v.keys.number(edge); x > 10.0 || x < 1e-3)
       s.warn({edge}, "a specimen of " + metres(x) + unit + "\"40 mm\"");
   const std::string correlation = "imperfection.correlation_length";
-  const double lambda = s.v.number(correlation);
-  if (s.v.number("imperfection.deviation") > 0.0 && lambda > most)
+  const double lambda = s.v.keys.number(correlation);
+  if (s.v.imperfection.deviation > 0.0 && lambda > most)
     s.warn({correlation, "specimen.height"}, s.value(correlation, "m") + " is longer than the specimen, " +
                                                  metres(most) + ": the field hardly varies in it" + unit + "\"5 mm\"");
 }
@@ -68,11 +68,11 @@ void check_lengths(const Sense& s) {
 void check_loading(const Sense& s) {
   constexpr double hardly = 0.02; // of the wave speed
   const std::string p = "loading.confining_pressure", speed = "loading.speed", gravity = "loading.gravity";
-  const double pressure = s.v.number(p), v = s.v.number(speed);
+  const double pressure = s.v.keys.number(p), v = s.v.keys.number(speed);
   std::vector<double> state = s.law.initial_state();
   if (const int e = state_column(s.law.states(), "void_ratio"); e >= 0)
-    state[static_cast<std::size_t>(e)] = s.v.number("specimen.void_ratio");
-  const double weight = s.law.density(state) * s.v.number(gravity) * s.height;
+    state[static_cast<std::size_t>(e)] = s.v.specimen.void_ratio;
+  const double weight = s.law.density(state) * s.v.keys.number(gravity) * s.height;
   if (pressure < weight)
     s.warn({p, gravity, "specimen.height"},
            pascals(pressure) + " is less than the specimen's own weight at its foot, " + pascals(weight) +
@@ -92,31 +92,31 @@ void check_loading(const Sense& s) {
 
 void check_times(const Sense& s, const CaseFile& given) {
   const std::string ramp = "loading.ramp_time", step = "time.step";
-  const double at_speed = s.v.number("loading.final_strain") * s.height / s.v.number("loading.speed");
+  const double at_speed = s.v.loading.final_strain * s.height / s.v.loading.speed;
   const auto names = given.names_in("loading");
   const bool is_given = std::ranges::find(names, ramp) != names.end();
-  if (is_given && s.v.number(ramp) > std::max(at_speed, 5e-3))
+  if (is_given && s.v.keys.number(ramp) > std::max(at_speed, 5e-3))
     s.warn({ramp, "loading.speed", "loading.final_strain"},
-           s.value(ramp, "s") + " is " + number(s.v.number(ramp) / at_speed) +
+           s.value(ramp, "s") + " is " + number(s.v.keys.number(ramp) / at_speed) +
                " times as long as the test takes at full speed, " + number(at_speed) +
                " s: the speed still rises at its end");
   constexpr double absurd = 20.0;
-  if (!s.v.is_text(step) && s.v.number(step) > absurd * s.expected.limit)
-    s.refuse({step}, s.value(step, "s") + " is " + number(s.v.number(step) / s.expected.limit) +
+  if (!s.v.keys.is_text(step) && s.v.keys.number(step) > absurd * s.expected.limit)
+    s.refuse({step}, s.value(step, "s") + " is " + number(s.v.keys.number(step) / s.expected.limit) +
                          " times the stable time step, " + number(s.expected.limit) +
                          " s at the start; allowed: less than that, or \"auto\"");
 }
 
 void check_filter(const Sense& s) {
   const std::string rate = "time.stress_filter";
-  if (!s.v.is_text(rate) && s.v.number(rate) * s.expected.step > 1.0)
+  if (!s.v.keys.is_text(rate) && s.v.keys.number(rate) * s.expected.step > 1.0)
     s.refuse({rate}, s.value(rate, "1/s") + " is over one in a time step of " + number(s.expected.step) +
                          " s; allowed: up to " + number(1.0 / s.expected.step) + " 1/s, and 0 for none");
 }
 
 void check_grid(const Sense& s) {
   const std::string cells = "grid.cells";
-  const auto& n = s.v.integers(cells);
+  const auto& n = s.v.grid.cells;
   const double h = s.width / static_cast<double>(n[0]), v = s.height / static_cast<double>(n[1]);
   const double aspect = std::max(h / v, v / h);
   if (aspect > 10.0)
@@ -128,14 +128,14 @@ void check_grid(const Sense& s) {
     s.warn({"imperfection.size", "imperfection.centre", cells},
            "the patch of " + metres(patch.size[0]) + " by " + metres(patch.size[1]) +
                " holds the middle of no point: there is no patch; points are " +
-               metres(h / s.v.number("specimen.points_per_cell")) + " by " +
-               metres(v / s.v.number("specimen.points_per_cell")) + " apart");
+               metres(h / static_cast<double>(s.v.specimen.points_per_cell)) + " by " +
+               metres(v / static_cast<double>(s.v.specimen.points_per_cell)) + " apart");
 }
 
 void check_output(const Sense& s) {
-  const double strain = s.v.number("loading.final_strain");
-  const double rows = strain / s.v.number("output.every_strain"),
-               frames = s.v.flag("output.vtk") ? strain / s.v.number("output.frames_every_strain") : 0.0;
+  const double strain = s.v.loading.final_strain;
+  const double rows = strain / s.v.output.every_strain,
+               frames = s.v.output.vtk ? strain / s.v.output.frames_every_strain : 0.0;
   if (std::min(rows, s.expected.steps) > 1e6)
     s.warn({"output.every_strain"}, short_text(std::min(rows, s.expected.steps)) + " rows of history.csv");
   if (std::min(frames, s.expected.steps) > 1e4)
@@ -161,8 +161,8 @@ void check_work(const Sense& s, const CaseFile& given) {
 
 } // namespace
 
-ExpectedWork expected_work_of(const Values& values, const Catalogue& catalogue) {
-  const auto law = catalogue.materials.find(values.text("material.model")).make(values.section("material"));
+ExpectedWork expected_work_of(const BiaxialCase& values, const Catalogue& catalogue) {
+  const auto law = catalogue.materials.find(values.material.model).make(values.material.parameters);
   return expected_work(values, wave_speeds(values, *law));
 }
 
@@ -171,23 +171,21 @@ std::string expected_text(const ExpectedWork& e) {
          short_text(e.step) + " s, about " + span_text(e.seconds()) + " on one thread";
 }
 
-std::vector<Finding> time_step_doubts(const Values& v, const ExpectedWork& expected) {
-  if (v.is_text("time.step") || v.number("time.step") <= expected.limit) return {};
+std::vector<Finding> time_step_doubts(const BiaxialCase& v, const ExpectedWork& expected) {
+  if (v.keys.is_text("time.step") || v.keys.number("time.step") <= expected.limit) return {};
   return {{{"time.step"},
-           exact_text(v.number("time.step")) + " s is over the stable limit, " + short_text(expected.limit) +
+           exact_text(v.keys.number("time.step")) + " s is over the stable limit, " + short_text(expected.limit) +
                " s at the start: the run may blow up, or be wrong without a sign"}};
 }
 
-void check_sense(const CaseFile& given, const Values& v, const Catalogue& catalogue, Findings& found) {
+void check_sense(const CaseFile& given, const BiaxialCase& v, const Catalogue& catalogue, Findings& found) {
   if (!found.errors.empty()) return;
   std::unique_ptr<Material> law;
   try {
-    law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+    law = catalogue.materials.find(v.material.model).make(v.material.parameters);
   } catch (const std::runtime_error&) { return; } // told with its place by whoever makes it for good
   const WaveSpeeds speeds = wave_speeds(v, *law);
-  const Sense sense{
-      v,    *law, expected_work(v, speeds), v.number("specimen.width"), v.number("specimen.height"), speeds.at_start,
-      found};
+  const Sense sense{v, *law, expected_work(v, speeds), v.specimen.width, v.specimen.height, speeds.at_start, found};
   check_lengths(sense);
   check_loading(sense);
   check_times(sense, given);

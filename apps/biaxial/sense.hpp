@@ -1,6 +1,7 @@
 /// Numbers of a biaxial case that are allowed and make no sense, as when a unit is forgotten: 1.5 for 1.5 mm.
 #pragma once
 
+#include "apps/biaxial/case.hpp"
 #include "apps/biaxial/expected_work.hpp"
 #include "core/case/checked_case.hpp"
 #include "core/interface/catalogue.hpp"
@@ -9,15 +10,15 @@ namespace riedel {
 
 /// Refuses what is surely absurd and warns of what is likely so, with the number that tells. Looks at a case without
 /// errors alone.
-void check_sense(const CaseFile& given, const Values& values, const Catalogue& catalogue, Findings& found);
+void check_sense(const CaseFile& given, const BiaxialCase& values, const Catalogue& catalogue, Findings& found);
 
 /// Points, steps and time, from the law's own wave speed.
-ExpectedWork expected_work_of(const Values& values, const Catalogue& catalogue);
+ExpectedWork expected_work_of(const BiaxialCase& values, const Catalogue& catalogue);
 
 /// "2016 points, 41000 steps of 2.1e-06 s, about 40 s on one thread"
 std::string expected_text(const ExpectedWork& expected);
 
 /// A time step over the stable one, of which a run itself warns when it begins. Empty: it is not.
-std::vector<Finding> time_step_doubts(const Values& values, const ExpectedWork& expected);
+std::vector<Finding> time_step_doubts(const BiaxialCase& values, const ExpectedWork& expected);
 
 } // namespace riedel

@@ -11,28 +11,28 @@ namespace riedel {
 /// and "pin", in three dimensions also "back" and "front"; with rigid points "top" is a rigid body. Points are numbered
 /// row by row, and layer by layer of the depth.
 template <int Dim = 2>
-Simulation<Dim> make_biaxial(const Values& values, const Catalogue& catalogue);
+Simulation<Dim> make_biaxial(const BiaxialCase& values, const Catalogue& catalogue);
 
 /// What the keys of the step say. In the time between two crossings of a slow test's wave little is loaded, and the
 /// noise of points that cross cells, which comes by the way they go, weighs more beside ‖D‖: so "auto" damps the more
 /// the slower the test, from 7·10⁻⁵ strains in the time that a wave takes across the width down.
 template <int Dim>
-void set_biaxial_step(Model<Dim>& model, const Values& values, const Material& law);
+void set_biaxial_step(Model<Dim>& model, const BiaxialCase& values, const Material& law);
 
 /// Vertical force on the top platen, compression positive, with the part that balances the confining pressure [N/m].
 template <int Dim>
-double platen_force(const Simulation<Dim>& simulation, const Values& values);
+double platen_force(const Simulation<Dim>& simulation, const BiaxialCase& values);
 
 /// φ_mob = asin((σ1 − σ3)/(σ1 + σ3)) with σ1 = force/b0 and σ3 the confining pressure [deg].
-double mobilised_angle(double force, const Values& values);
+double mobilised_angle(double force, const BiaxialCase& values);
 
 /// The same with the true stress: σ1 acts on the present width. The force in excess of the confining pressure is the
 /// platen's; what the pressure does grows with the width, and is not in `force`, which goes by the initial one [deg].
-double true_angle(double force, double width, const Values& values);
+double true_angle(double force, double width, const BiaxialCase& values);
 
 /// Width of the specimen at its ends, from the first to the last point of the rows at both platens: what carries the
 /// force. Volume over height, as laboratories correct, would count the offset of the blocks beside a band as width [m].
 template <int Dim>
-double present_width(const Points<Dim>& points, const Values& values);
+double present_width(const Points<Dim>& points, const BiaxialCase& values);
 
 } // namespace riedel

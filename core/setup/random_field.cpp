@@ -29,11 +29,10 @@ private:
 
 } // namespace
 
-VoidRatioField::VoidRatioField(const Values& v) {
-  const double deviation = v.number("imperfection.deviation");
+VoidRatioField::VoidRatioField(double deviation, double length, std::uint64_t seed) {
   if (deviation == 0.0) return;
-  Random random(static_cast<std::uint64_t>(v.integer("imperfection.seed")));
-  const double wave_number = std::numbers::sqrt2 / v.number("imperfection.correlation_length");
+  Random random(seed);
+  const double wave_number = std::numbers::sqrt2 / length;
   for (int m = 0; m < number_of_modes; ++m) {
     const Vec<2> k = wave_number * random.normals();
     modes_.push_back({k, 2.0 * std::numbers::pi * random.uniform()});

@@ -1,9 +1,9 @@
 /// A random field of void ratios, the same at a place whatever the grid and its points.
 #pragma once
 
-#include "core/base/parameters.hpp"
 #include "core/base/types.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,8 +14,8 @@ namespace riedel {
 /// method of Shinozuka & Deodatis 1991, with wave numbers drawn at random). It does not vary over the depth.
 class VoidRatioField {
 public:
-  /// From imperfection.deviation σ, .correlation_length λ [m] and .seed.
-  explicit VoidRatioField(const Values& values);
+  /// @param deviation σ [-]   @param length λ, of correlation [m]   @param seed number of the field among all there are
+  VoidRatioField(double deviation, double length, std::uint64_t seed);
 
   [[nodiscard]] bool is_uniform() const { return modes_.empty(); }
   /// What the void ratio at a place has above the mean [-].

@@ -180,7 +180,7 @@ TEST(LostPoint, IsNamedWithPlaceStepAndTime) {
   values.set("grid.cells", std::vector<std::int64_t>{8, 28});
   for (const char* scheme : {"linear", "gimp", "cpgimp", "cpdi"}) {
     values.set("scheme", scheme);
-    Simulation<2> simulation = make_biaxial(values, known);
+    Simulation<2> simulation = make_biaxial(BiaxialCase(values), known);
     simulation.step();
     Points<2>& points = simulation.state().bodies.front().points;
     points.position[0][points.place[17]] = 0.5;

@@ -9,8 +9,9 @@ namespace riedel::test {
 namespace {
 
 double imbalance(const std::string& scheme_name, int per_cell) {
-  Values values = biaxial_values({"scheme=" + scheme_name, "specimen.points_per_cell=" + std::to_string(per_cell)});
-  values.set("loading.lateral", "points");
+  BiaxialCase values =
+      biaxial_values({"scheme=" + scheme_name, "specimen.points_per_cell=" + std::to_string(per_cell)});
+  values.loading.lateral = BiaxialCase::Lateral::points;
   return imbalance_at_start(values, catalogue());
 }
 
@@ -31,7 +32,8 @@ TEST(ImbalanceAtStart, VanishesUnderSplinesForSinglePointsUnderQuadraticOnesAlon
 TEST(ImbalanceAtStart, VanishesUnderTheVirtualStressForEveryScheme) {
   for (const std::string& name : scheme_names())
     for (const char* per_cell : {"1", "2"}) {
-      const Values values = biaxial_values({"scheme=" + name, std::string("specimen.points_per_cell=") + per_cell});
+      const BiaxialCase values =
+          biaxial_values({"scheme=" + name, std::string("specimen.points_per_cell=") + per_cell});
       EXPECT_LT(imbalance_at_start(values, catalogue()), 1e-12) << name << ", " << per_cell;
     }
 }

@@ -163,8 +163,8 @@ TEST(LawUses, ThePicturesTitleAndTheChecksAnswerAreLocalToo) {
 /// A Mohr-Coulomb specimen with a weak patch yields there first, and is told by one body with all its points.
 TEST(WeakZone, LowersTheStrengthInThePatchAlone) {
   const auto plastic_strain = [](const std::string& factor) {
-    const Values v = biaxial_values({"material.model=mohr_coulomb", "grid.cells=[8,28]", "loading.speed=0.5",
-                                     "loading.gravity=0", "imperfection.factor=" + factor});
+    const BiaxialCase v = biaxial_values({"material.model=mohr_coulomb", "grid.cells=[8,28]", "loading.speed=0.5",
+                                          "loading.gravity=0", "imperfection.factor=" + factor});
     Simulation<2> simulation = make_biaxial(v, catalogue());
     const Body<2>& body = simulation.state().bodies.front();
     EXPECT_EQ(simulation.state().bodies.size(), 1U);

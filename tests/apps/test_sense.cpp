@@ -1,4 +1,5 @@
 /// Numbers that are allowed and make no sense: a forgotten unit is told before a run is wasted on it.
+#include "apps/biaxial/patch.hpp"
 #include "apps/biaxial/random_field_check.hpp"
 #include "apps/biaxial/sense.hpp"
 #include "apps/program.hpp"
@@ -118,12 +119,12 @@ TEST(Sense, CheckTellsWhatAnElementTestIsExpectedToTake) {
 
 /// The sand stiffens while it is loaded, so that the steps lie between those of the start and those under load.
 TEST(Sense, ExpectsAboutAsManyStepsAsTheRunMakes) {
-  const Values v =
+  const BiaxialCase v =
       biaxial_values({"grid.cells=[8,28]", "nonlocal.length=0", "loading.final_strain=0.01", "loading.speed=0.5"});
   Simulation<2> simulation = make_biaxial(v, catalogue());
   const ExpectedWork expected = expected_work_of(v, catalogue());
   EXPECT_NEAR(expected.limit, simulation.crossing_time(), 0.05 * expected.limit);
-  const auto speed = ramped(0.5, v.number("loading.ramp_time"));
+  const auto speed = ramped(0.5, v.loading.ramp_time);
   double steps = 0.0;
   for (double u = 0.0; u < 0.01 * 0.14; ++steps) {
     simulation.step();
@@ -135,8 +136,7 @@ TEST(Sense, ExpectsAboutAsManyStepsAsTheRunMakes) {
 }
 
 TEST(RandomField, OnALatticeIsTheFieldAtItsPlaces) {
-  const Values v = biaxial_values({"imperfection.deviation=0.01"});
-  const VoidRatioField field(v);
+  const VoidRatioField field = random_field(biaxial_values({"imperfection.deviation=0.01"}));
   const std::vector<double> x{0.001, 0.0123, 0.039}, y{0.002, 0.0777};
   const auto all = field.on_lattice(x, y);
   for (int i = 0; i < 3; ++i)
@@ -145,10 +145,9 @@ TEST(RandomField, OnALatticeIsTheFieldAtItsPlaces) {
 }
 
 /// Smallest void ratio over all points, found one by one.
-double least_void_ratio(const Values& v) {
-  const VoidRatioField field(v);
-  const double nx = static_cast<double>(v.integers("grid.cells")[0]),
-               ny = static_cast<double>(v.integers("grid.cells")[1]);
+double least_void_ratio(const BiaxialCase& v) {
+  const VoidRatioField field = random_field(v);
+  const double nx = static_cast<double>(v.grid.cells[0]), ny = static_cast<double>(v.grid.cells[1]);
   double least = 1.0;
   for (double i = 0.5; i < nx; ++i)
     for (double j = 0.5; j < ny; ++j) least = std::min(least, 0.55 + field({i * 0.04 / nx, j * 0.14 / ny}));

@@ -1,5 +1,6 @@
 /// Random void ratios, and a specimen that is turned in its grid: what the case makes of both.
 #include "apps/biaxial/band.hpp"
+#include "apps/biaxial/patch.hpp"
 #include "core/io/snapshot.hpp"
 #include "core/setup/random_field.hpp"
 #include "verification/biaxial.hpp"
@@ -13,10 +14,10 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const Values& with_field(int seed) {
-  static Values values = biaxial_values({"imperfection.deviation=0.01", "imperfection.correlation_length=5e-3"});
-  values.set("imperfection.seed", std::int64_t{seed});
-  return values;
+VoidRatioField with_field(int seed) {
+  static BiaxialCase values = biaxial_values({"imperfection.deviation=0.01", "imperfection.correlation_length=5e-3"});
+  values.imperfection.seed = seed;
+  return random_field(values);
 }
 
 /// Over many fields at one place: mean, deviation, and the correlation with a place r away, along x, y or askew.
@@ -25,7 +26,7 @@ TEST(VoidRatioField, HasTheMeanDeviationAndCorrelationOfItsKeys) {
   const double length = 5e-3;
   const Vec<2> x(0.013, 0.061), askew(-std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2);
   std::vector<VoidRatioField> all;
-  for (int seed = 0; seed < fields; ++seed) all.emplace_back(with_field(seed));
+  for (int seed = 0; seed < fields; ++seed) all.push_back(with_field(seed));
   for (const Vec<2>& towards : {Vec<2>(1, 0), Vec<2>(0, 1), askew})
     for (const double r : {0.5 * length, length, 3.0 * length}) {
       double sum = 0.0, squares = 0.0, products = 0.0;
@@ -58,7 +59,7 @@ TEST(VoidRatioField, IsTheSameAtAPlaceOnEveryGrid) {
 
 /// The sixteenth digit may depend on the C library's cosine; which numbers were drawn does not.
 TEST(VoidRatioField, DrawsTheSameNumbersEverywhere) {
-  const VoidRatioField one(with_field(1)), two(with_field(2));
+  const VoidRatioField one = with_field(1), two = with_field(2);
   EXPECT_NEAR(one({0.01, 0.02}), 0.01097752865093217, 1e-12);
   EXPECT_NEAR(two({0.01, 0.02}), 0.01175041856017552, 1e-12);
 }
@@ -91,7 +92,7 @@ TEST(TurnedSpecimen, IsRefusedWhereTheGridMustStandUpright) {
 
 /// A band at 55° drawn on the points, told in the specimen's own axes.
 TEST(TurnedSpecimen, HasItsBandMeasuredInItsOwnAxes) {
-  const Values values = biaxial_values({"specimen.rotation=22.5", "loading.platen=rigid_points"});
+  const BiaxialCase values = biaxial_values({"specimen.rotation=22.5", "loading.platen=rigid_points"});
   Frame frame = snapshot(make_biaxial(values, catalogue()), 0.0);
   const Turn turn(values);
   const double slope = 55.0 * std::numbers::pi / 180.0;

@@ -8,14 +8,14 @@
 namespace riedel::test {
 
 /// The paper's case with `settings` over it.
-inline Values biaxial_values(const std::vector<std::string>& settings) {
+inline BiaxialCase biaxial_values(const std::vector<std::string>& settings) {
   CaseFile file = CaseFile::empty();
   for (const std::string& setting : settings) file.override_with(setting);
-  return biaxial_case(file, catalogue()).values;
+  return BiaxialCase(biaxial_case(file, catalogue()).values);
 }
 
 /// The same on a quarter of the default's cells; `more` has the last word.
-inline Values coarse_values(const std::vector<std::string>& more = {}) {
+inline BiaxialCase coarse_values(const std::vector<std::string>& more = {}) {
   std::vector<std::string> settings{"grid.cells=[12, 42]", "nonlocal.length=3.4e-3"};
   settings.insert(settings.end(), more.begin(), more.end());
   return biaxial_values(settings);

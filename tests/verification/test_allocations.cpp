@@ -64,7 +64,7 @@ class AllocationTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(AllocationTest, AreNoneInAStepOfTheLocalModel) {
   for (const std::string order : {"musl", "usl", "usf"}) {
-    const Values values = coarse_values({"scheme=" + GetParam(), "time.order=" + order, "nonlocal.length=0.0"});
+    const BiaxialCase values = coarse_values({"scheme=" + GetParam(), "time.order=" + order, "nonlocal.length=0.0"});
     Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
     EXPECT_EQ(allocations_in_steps(simulation), 0) << order;
   }
@@ -72,7 +72,7 @@ TEST_P(AllocationTest, AreNoneInAStepOfTheLocalModel) {
 
 TEST_P(AllocationTest, AreNoneInAStepWithFBar) {
   for (const std::string order : {"musl", "usf"}) {
-    const Values values =
+    const BiaxialCase values =
         coarse_values({"scheme=" + GetParam(), "time.order=" + order, "time.locking=f_bar", "nonlocal.length=0.0"});
     Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
     EXPECT_EQ(allocations_in_steps(simulation), 0) << order;
@@ -83,7 +83,7 @@ TEST_P(AllocationTest, AreNoneInAStepOfAnyTransfer) {
   for (const std::string transfer : {"apic", "tpic", "xpic"})
     for (const std::string order : {"musl", "usl", "usf"}) {
       if (transfer == "apic" && !scheme<2>(GetParam())->spreads_points()) continue;
-      const Values values = coarse_values(
+      const BiaxialCase values = coarse_values(
           {"scheme=" + GetParam(), "time.order=" + order, "time.transfer=" + transfer, "nonlocal.length=0.0"});
       Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
       EXPECT_EQ(allocations_in_steps(simulation), 0) << transfer << ", " << order;
@@ -92,7 +92,7 @@ TEST_P(AllocationTest, AreNoneInAStepOfAnyTransfer) {
 
 TEST_P(AllocationTest, AreNoneInAStepOfTheNonlocalModelBetweenTwoSearches) {
   for (const std::string& search : catalogue().in_2d.searches.names()) {
-    const Values values =
+    const BiaxialCase values =
         coarse_values({"scheme=" + GetParam(), "nonlocal.search=" + search, "loading.ramp_time=1e-4"});
     Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
     const std::int64_t before = searches(simulation);
@@ -103,8 +103,8 @@ TEST_P(AllocationTest, AreNoneInAStepOfTheNonlocalModelBetweenTwoSearches) {
 }
 
 TEST_P(AllocationTest, AreNoneWithRigidPlatensAndPressureOnPoints) {
-  Values values = coarse_values({"scheme=" + GetParam(), "nonlocal.length=0.0", "loading.platen=rigid_points"});
-  values.set("loading.lateral", "points"); // whether or not the scheme starts in equilibrium so
+  BiaxialCase values = coarse_values({"scheme=" + GetParam(), "nonlocal.length=0.0", "loading.platen=rigid_points"});
+  values.loading.lateral = BiaxialCase::Lateral::points; // whether or not the scheme starts in equilibrium so
   Simulation<2> simulation = warm(make_biaxial(values, catalogue()));
   EXPECT_EQ(allocations_in_steps(simulation), 0);
 }

@@ -155,7 +155,7 @@ TEST_P(ConservationTest, GainsNoEnergyOverACollisionWithAShareOfPic) {
 
 /// Platen, confining pressure and weight do work on an elastic specimen; it is stored or set in motion.
 TEST_P(ConservationTest, BalancesTheWorkOnASpecimenCompressedBetweenPlatens) {
-  const Values values =
+  const BiaxialCase values =
       coarse_values({"scheme=" + GetParam(), "material.model=linear_elastic", "nonlocal.length=0", "time.flip=1.0",
                      "loading.speed=1.0", "loading.ramp_time=1e-3", "loading.gravity=100.0"});
   Simulation<2> simulation = make_biaxial(values, catalogue());
@@ -172,7 +172,7 @@ TEST_P(ConservationTest, BalancesTheWorkOnASpecimenCompressedBetweenPlatens) {
 void expect_an_account_of_all_work(const std::vector<std::string>& settings, const std::string& called) {
   std::vector<std::string> all{"loading.speed=0.5", "loading.ramp_time=1e-3", "loading.gravity=100.0"};
   all.insert(all.end(), settings.begin(), settings.end());
-  const Values values = coarse_values(all);
+  const BiaxialCase values = coarse_values(all);
   Simulation<2> simulation = make_biaxial(values, catalogue());
   while (simulation.state().time < 0.02 * 0.14 / 0.5) simulation.step();
   const Energies e = simulation.energies();

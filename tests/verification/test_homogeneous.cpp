@@ -31,9 +31,9 @@ Curve compress_one_cell(const std::string& scheme_name, const std::string& order
         std::string("nonlocal.length=0.0"),
         std::string("time.flip=0.98")}) // by time, one cell damps its own stretching
     file.override_with(setting);
-  const Values values = biaxial_case(file, catalogue()).values;
+  const BiaxialCase values(biaxial_case(file, catalogue()).values);
   Simulation<2> simulation = make_biaxial(values, catalogue());
-  const auto speed = ramped(0.002, values.number("loading.ramp_time"));
+  const auto speed = ramped(0.002, values.loading.ramp_time);
   Curve curve;
   double u = 0.0;
   while (u < 0.051 * 0.01) {

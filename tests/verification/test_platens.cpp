@@ -15,16 +15,16 @@ using Angles = std::array<double, 5>;
 
 Angles compress(const std::string& scheme_name, const std::string& platen, const std::string& lateral,
                 const std::string& rotation = "0") {
-  const Values values =
+  const BiaxialCase values =
       coarse_values({"scheme=" + scheme_name, "loading.platen=" + platen, "loading.lateral=" + lateral,
                      "nonlocal.length=0.0", "loading.speed=0.2", "specimen.rotation=" + rotation});
   Simulation<2> simulation = make_biaxial(values, catalogue());
-  const auto speed = ramped(values.number("loading.speed"), values.number("loading.ramp_time"));
+  const auto speed = ramped(values.loading.speed, values.loading.ramp_time);
   Angles angles{};
   double u = 0.0;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     double impulse = 0.0, time = 0.0;
-    while (u < 0.001 * static_cast<double>(i + 1) * values.number("specimen.height")) {
+    while (u < 0.001 * static_cast<double>(i + 1) * values.specimen.height) {
       simulation.step();
       const double dt = simulation.time_step();
       u += speed(simulation.state().time) * dt;
@@ -50,8 +50,8 @@ protected:
   void SetUp() override { omp_set_num_threads(1); } // too small to share
   /// Whether the pressure on points, which is spread by hats, balances what a stress under the scheme does at an edge.
   static bool loads_edges_by_hats() {
-    Values values = coarse_values({"scheme=" + GetParam()});
-    values.set("loading.lateral", "points");
+    BiaxialCase values = coarse_values({"scheme=" + GetParam()});
+    values.loading.lateral = BiaxialCase::Lateral::points;
     return imbalance_at_start(values, catalogue()) < 0.01;
   }
 };
@@ -94,7 +94,7 @@ TEST_P(PlatenTest, StartsInEquilibriumWithEveryKindOfBoundary) {
   for (const std::string platen : {"moving_grid", "rigid_points"})
     for (const std::string lateral : {"virtual_stress", "points"}) {
       if (lateral == "points" && !loads_edges_by_hats()) continue;
-      const Values values =
+      const BiaxialCase values =
           coarse_values({"scheme=" + GetParam(), "loading.platen=" + platen, "loading.lateral=" + lateral,
                          "nonlocal.length=0.0", "loading.speed=1e-6", "loading.ramp_time=1.0"});
       Simulation<2> simulation = make_biaxial(values, catalogue());

@@ -12,13 +12,13 @@ namespace {
 template <int Dim>
 std::vector<double> curve(std::vector<std::string> settings) {
   settings.push_back("grid.dimensions=" + std::to_string(Dim));
-  const Values values = biaxial_values(settings);
+  const BiaxialCase values = biaxial_values(settings);
   omp_set_num_threads(1); // too small to share
   Simulation<Dim> simulation = make_biaxial<Dim>(values, catalogue());
-  const auto speed = ramped(values.number("loading.speed"), values.number("loading.ramp_time"));
-  const double height = values.number("specimen.height");
+  const auto speed = ramped(values.loading.speed, values.loading.ramp_time);
+  const double height = values.specimen.height;
   std::vector<double> angles;
-  for (double u = 0.0, impulse = 0.0, time = 0.0; u < values.number("loading.final_strain") * height;) {
+  for (double u = 0.0, impulse = 0.0, time = 0.0; u < values.loading.final_strain * height;) {
     simulation.step();
     const double dt = simulation.time_step();
     u += speed(simulation.state().time) * dt;

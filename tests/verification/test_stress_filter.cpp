@@ -223,7 +223,7 @@ TEST(StressFilter, DoesNotTouchAHomogeneousSpecimen) {
 
 /// Quality of the stresses in the band, and point-steps without stress, of a coarse biaxial test.
 std::pair<StressQuality, std::int64_t> quality_of(const std::vector<std::string>& settings) {
-  const Values values = biaxial_values(settings);
+  const BiaxialCase values = biaxial_values(settings);
   const TemporaryFolder folder;
   BiaxialRun<2> run(values, catalogue(), folder.path());
   run.begin();

@@ -30,7 +30,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-std::vector<double> after_steps(const Values& values, int threads, int steps) {
+std::vector<double> after_steps(const BiaxialCase& values, int threads, int steps) {
   omp_set_num_threads(threads);
   Simulation<2> simulation = make_biaxial(values, catalogue());
   for (int i = 0; i < steps; ++i) simulation.step();
@@ -41,7 +41,7 @@ std::vector<double> after_steps(const Values& values, int threads, int steps) {
 }
 
 /// The ramp is short so that all points are in motion at once.
-Values lively(const std::vector<std::string>& more) {
+BiaxialCase lively(const std::vector<std::string>& more) {
   std::vector<std::string> settings{"loading.ramp_time=1e-4"};
   settings.insert(settings.end(), more.begin(), more.end());
   return coarse_values(settings);
@@ -68,7 +68,7 @@ TEST(Threads, ChangeNoBitWhenTheirNumberChangesFromStepToStep) {
 
 TEST(Threads, ChangeNoBitOfTheBiaxialTestWithAnyAverager) {
   for (const std::string& averager : catalogue().in_2d.averagers.names()) {
-    const Values values = lively({"nonlocal.averager=" + averager});
+    const BiaxialCase values = lively({"nonlocal.averager=" + averager});
     const std::vector<double> alone = after_steps(values, 1, 100);
     for (const int threads : {2, 3}) EXPECT_TRUE(same_bits(after_steps(values, threads, 100), alone)) << averager;
   }
@@ -105,7 +105,7 @@ TEST(Stencils, GiveTheSameBitsKeptAsInBlocks) {
 
 TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
   for (const std::string order : {"musl", "usl", "usf"}) {
-    const Values values = lively({"time.order=" + order, "nonlocal.length=0.0"});
+    const BiaxialCase values = lively({"time.order=" + order, "nonlocal.length=0.0"});
     EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 2, 60))) << order;
     EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 4, 60))) << order;
   }
@@ -114,26 +114,26 @@ TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
 TEST(Threads, ChangeNoBitInAnyTransfer) {
   for (const std::string transfer : {"apic", "tpic", "xpic"})
     for (const std::string order : {"musl", "usl", "usf"}) {
-      const Values values = lively({"time.transfer=" + transfer, "time.order=" + order, "nonlocal.length=0.0"});
+      const BiaxialCase values = lively({"time.transfer=" + transfer, "time.order=" + order, "nonlocal.length=0.0"});
       EXPECT_TRUE(same_bits(after_steps(values, 1, 40), after_steps(values, 4, 40))) << transfer << ", " << order;
     }
 }
 
 TEST(Threads, ChangeNoBitInAnyScheme) {
   for (const std::string& name : scheme_names()) {
-    const Values values = lively({"scheme=" + name, "specimen.points_per_cell=2", "nonlocal.length=0.0"});
+    const BiaxialCase values = lively({"scheme=" + name, "specimen.points_per_cell=2", "nonlocal.length=0.0"});
     EXPECT_TRUE(same_bits(after_steps(values, 1, 40), after_steps(values, 4, 40))) << name;
   }
 }
 
 TEST(Threads, ChangeNoBitWithRigidPlatensAndPressureOnPoints) {
-  const Values values = lively({"loading.platen=rigid_points", "loading.lateral=points"});
+  const BiaxialCase values = lively({"loading.platen=rigid_points", "loading.lateral=points"});
   EXPECT_TRUE(same_bits(after_steps(values, 1, 60), after_steps(values, 4, 60)));
 }
 
 TEST(Threads, ChangeNoBitWithFBar) {
   for (const std::string order : {"musl", "usf"}) {
-    const Values values = lively({"time.locking=f_bar", "time.order=" + order, "nonlocal.length=0.0"});
+    const BiaxialCase values = lively({"time.locking=f_bar", "time.order=" + order, "nonlocal.length=0.0"});
     const std::vector<double> alone = after_steps(values, 1, 100);
     for (const int threads : {2, 3, 4}) EXPECT_TRUE(same_bits(after_steps(values, threads, 100), alone)) << order;
   }

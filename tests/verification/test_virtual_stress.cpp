@@ -90,9 +90,9 @@ TEST_P(VirtualStressTest, LetsABodyOfHigherPressureExpand) {
 
 /// A homogeneous elastic specimen; the platen starts so gently that hardly a wave is left.
 TEST_P(VirtualStressTest, KeepsThePressureSidewaysInEveryPointOfASpecimenThatIsCompressed) {
-  const Values values = biaxial_values({"scheme=" + GetParam(), "material.model=linear_elastic", "loading.gravity=0.0",
-                                        "grid.cells=[8, 12]", "specimen.width=0.08", "specimen.height=0.12",
-                                        "loading.ramp_time=0.05", "loading.speed=0.02", "time.flip=0.9"});
+  const BiaxialCase values = biaxial_values(
+      {"scheme=" + GetParam(), "material.model=linear_elastic", "loading.gravity=0.0", "grid.cells=[8, 12]",
+       "specimen.width=0.08", "specimen.height=0.12", "loading.ramp_time=0.05", "loading.speed=0.02", "time.flip=0.9"});
   Simulation<2> simulation = make_biaxial(values, catalogue());
   while (simulation.state().time < 0.06) simulation.step(); // 0.6 % of vertical strain
   const Points<2>& points = simulation.state().bodies[0].points;
