@@ -91,13 +91,15 @@ RunKind element_kind() {
                     .help = help,
                     .schema = schema},
           .curve_file = "element.csv",
-          .columns = {"eps_1", "gamma", "phi_mob_deg", "void_ratio", "time_s"},
+          .columns = {"eps_1", "eps_2", "eps_3", "gamma", "sigma_1_Pa", "sigma_2_Pa", "sigma_3_Pa", "tau_Pa",
+                      "void_ratio", "phi_mob_deg", "time_s"},
           .ascending = {"time_s"},
           .schemes = full_catalogue().in_2d.schemes.names(),
           .curves_caption = "Mobilised friction angle over strain.",
           .check_summary = check_element_summary,
           .axes = axes,
           .outcome = element_outcome,
+          .plots = element_run_plots,
           .tables = [](Runs runs) {
             return std::vector{std::pair{std::string("Results"), element_table(runs)}};
           }};

@@ -78,10 +78,10 @@ bool shows(const PictureOf& picture, const Table& table) {
 
 } // namespace
 
-std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
-                                       const std::string& subject) {
+std::vector<NamedPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                     const std::string& subject) {
   const std::string test = curves.front().curve.test;
-  std::vector<ElementPlot> plots;
+  std::vector<NamedPlot> plots;
   for (const PictureOf& picture : pictures_of(test)) {
     Plot plot{.title = title_of(test) + subject,
               .x_label = picture.x.label,
@@ -105,7 +105,7 @@ std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, co
 std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
                                       const std::string& subject, const std::filesystem::path& folder) {
   std::vector<std::string> names;
-  for (const ElementPlot& each : element_plots(curves, overlay, subject)) {
+  for (const NamedPlot& each : element_plots(curves, overlay, subject)) {
     write_png(folder / each.file, each.plot);
     names.push_back(each.file);
   }

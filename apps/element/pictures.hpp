@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/element/curve.hpp"
+#include "core/campaign/run_kind.hpp"
 #include "core/draw/plot.hpp"
 #include "core/io/table.hpp"
 
@@ -21,15 +22,10 @@ struct Overlay {
   Table table; ///< columns named as in element.csv
 };
 
-/// A picture and the name of its file.
-struct ElementPlot {
-  std::string file;
-  Plot plot;
-};
 /// @param curves of one test   @param subject behind the test's name in the title
 /// @return all that change; those for which the overlay has no columns leave it out
-std::vector<ElementPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
-                                       const std::string& subject);
+std::vector<NamedPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
+                                     const std::string& subject);
 
 /// The same as PNG files. @return their names
 std::vector<std::string> draw_element(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,

@@ -1,7 +1,10 @@
 #include "apps/element/views.hpp"
 
+#include "apps/element/pictures.hpp"
 #include "core/base/error.hpp"
 #include "core/io/figure_json.hpp"
+
+#include <algorithm>
 
 namespace riedel {
 
@@ -20,7 +23,35 @@ const char* strain_of(const ordered_json& summary) {
   return text_in(summary, "test", "") == "shear" ? "gamma" : "eps_1";
 }
 
+/// What pictures show of a run, as it was written.
+ElementCurve curve_of(const RunResult& run) {
+  const Table& table = run.history;
+  ElementCurve curve{.test = text_in(run.summary, "test", ""), .water = table.has("pore_pressure_Pa")};
+  for (std::size_t i = 0; i < table["eps_1"].size(); ++i) {
+    const auto at = [&](const char* column) { return table[column][i]; };
+    ElementRow row{.eps = {at("eps_1"), at("eps_2"), at("eps_3")},
+                   .gamma = at("gamma"),
+                   .sigma = {at("sigma_1_Pa"), at("sigma_2_Pa"), at("sigma_3_Pa")},
+                   .tau = at("tau_Pa"),
+                   .void_ratio = at("void_ratio"),
+                   .phi_mob = at("phi_mob_deg"),
+                   .time = at("time_s")};
+    if (curve.water) row.pore_pressure = at("pore_pressure_Pa");
+    curve.rows.push_back(row);
+  }
+  return curve;
+}
+
 } // namespace
+
+std::vector<NamedPlot> element_run_plots(Runs runs, const std::string& subject) {
+  std::vector<NamedCurve> curves;
+  for (const RunResult& run : runs)
+    if (run.history.has("eps_1")) curves.push_back({run.label, curve_of(run)});
+  const auto differs = [&](const NamedCurve& one) { return one.curve.test != curves.front().curve.test; };
+  if (curves.empty() || std::ranges::any_of(curves, differs)) return {};
+  return element_plots(curves, std::nullopt, subject);
+}
 
 PageTable element_table(Runs runs) {
   PageTable table{.caption = "Strength, and the state at the end of each test.",

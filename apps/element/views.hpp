@@ -8,6 +8,9 @@ namespace riedel {
 /// Strength, and the state at the end.
 PageTable element_table(Runs runs);
 
+/// The pictures of one test; none where the runs differ in it, or have left no curve.
+std::vector<NamedPlot> element_run_plots(Runs runs, const std::string& subject);
+
 /// The same of a run that is done, in one line.
 std::string element_outcome(const nlohmann::ordered_json& summary);
 

@@ -1,7 +1,6 @@
 #include "apps/reproduce/element_figures.hpp"
 
-#include "apps/element/drivers.hpp"
-#include "apps/element/keys.hpp"
+#include "apps/kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@ namespace {
 const std::vector<std::string> loose_to_dense{"0.6", "0.75", "0.9"};
 
 struct ElementFigure {
+  std::string name; ///< of its runs
   std::string test;
   std::vector<std::string> settings;
   std::string subject; ///< behind the title
@@ -22,31 +22,50 @@ struct ElementFigure {
 
 const std::vector<ElementFigure>& all_element_figures() {
   static const std::vector<ElementFigure> all{
-      {"oedometer", {}, "", {{2, "2a", "stress_strain.png"}, {2, "2b", "compression.png"}}},
-      {"triaxial",
+      {"oedometer", "oedometer", {}, "", {{2, "2a", "stress_strain.png"}, {2, "2b", "compression.png"}}},
+      {"triaxial_500kPa",
+       "triaxial",
        {},
        ", σ_c = 500 kPa",
        {{3, "3", "stress_strain.png"}, {4, "4a_500", "friction.png"}, {4, "4b_500", "void_ratio.png"}}},
-      {"triaxial",
+      {"triaxial_50kPa",
+       "triaxial",
        {"loading.confining_pressure=50e3"},
        ", σ_c = 50 kPa",
        {{4, "4a_50", "friction.png"}, {4, "4b_50", "void_ratio.png"}}},
-      {"shear", {}, ", σ_n = 200 kPa", {{5, "5a_200", "friction.png"}}},
-      {"shear", {"loading.normal_stress=50e3"}, ", σ_n = 50 kPa", {{5, "5b_50", "friction.png"}}},
+      {"shear_200kPa", "shear", {}, ", σ_n = 200 kPa", {{5, "5a_200", "friction.png"}}},
+      {"shear_50kPa", "shear", {"loading.normal_stress=50e3"}, ", σ_n = 50 kPa", {{5, "5b_50", "friction.png"}}},
   };
   return all;
 }
 
-Values element_values(const std::string& test, const std::vector<std::string>& settings, const Catalogue& catalogue) {
-  CaseFile given = CaseFile::empty();
-  given.override_with("test=" + test, "riedel reproduce:");
-  for (const std::string& setting : settings) given.override_with(setting, "riedel reproduce:");
-  return element_case(given, catalogue).values;
+/// Three of triaxial compression at 500 kPa, as far as it takes to come to the critical state.
+const ElementFigure to_the_end{"triaxial_to_the_end", "triaxial", {"loading.final_strain=0.7"}, "", {}};
+
+std::string run_name(const ElementFigure& figure, const std::string& void_ratio) {
+  return figure.name + "_e" + void_ratio;
 }
 
-ElementCurve element_curve(const Values& values, const Catalogue& catalogue) {
-  return element_driver(values).run(values, catalogue,
-                                    {[](const ElementRow&, const LawPoint&) {}, [] { return false; }});
+Variant variant_of(const ElementFigure& figure, const std::string& void_ratio) {
+  Variant variant{.given = CaseFile::empty(), .name = run_name(figure, void_ratio), .label = "e₀ = " + void_ratio};
+  std::vector<std::string> settings{"test=" + figure.test, "output.plots=false"};
+  settings.insert(settings.end(), figure.settings.begin(), figure.settings.end());
+  settings.push_back("specimen.void_ratio=" + void_ratio);
+  for (const std::string& setting : settings) variant.given.override_with(setting, "riedel reproduce:");
+  return variant;
+}
+
+bool is_wanted(const ElementFigure& figure, const Figures& figures) {
+  return std::ranges::any_of(figure.parts, [&](const auto& part) { return figures.contains(std::get<0>(part)); });
+}
+
+std::vector<RunResult> runs_of(const ElementFigure& figure, Runs runs) {
+  std::vector<RunResult> own;
+  for (const std::string& void_ratio : loose_to_dense)
+    if (const auto run = std::ranges::find(runs, run_name(figure, void_ratio), &RunResult::name);
+        run != runs.end() && run->status == RunStatus::done)
+      own.push_back(*run);
+  return own;
 }
 
 } // namespace
@@ -55,37 +74,39 @@ double critical_void_ratio(const Values& law, double pressure) {
   return law.number("e_c0") * std::exp(-std::pow(3.0 * pressure / law.number("h_s"), law.number("n")));
 }
 
-std::vector<FigurePart> element_figures(const Figures& figures, const Catalogue& catalogue) {
+std::vector<Variant> element_runs(const Figures& figures) {
+  std::vector<Variant> variants;
+  const auto add = [&](const ElementFigure& figure) {
+    for (const std::string& void_ratio : loose_to_dense) variants.push_back(variant_of(figure, void_ratio));
+  };
+  for (const ElementFigure& figure : all_element_figures())
+    if (is_wanted(figure, figures)) add(figure);
+  if (!variants.empty()) add(to_the_end);
+  return variants;
+}
+
+std::vector<FigurePart> element_figures(const Figures& figures, Runs runs) {
   std::vector<FigurePart> found;
   for (const ElementFigure& each : all_element_figures()) {
-    const auto wanted = [&](const auto& part) { return figures.contains(std::get<0>(part)); };
-    if (std::ranges::none_of(each.parts, wanted)) continue;
-    std::vector<NamedCurve> curves;
-    for (const std::string& void_ratio : loose_to_dense) {
-      std::vector<std::string> settings = each.settings;
-      settings.push_back("specimen.void_ratio=" + void_ratio);
-      curves.push_back(
-          {"e₀ = " + void_ratio, element_curve(element_values(each.test, settings, catalogue), catalogue)});
-    }
-    const std::vector<ElementPlot> plots = element_plots(curves, std::nullopt, each.subject);
+    if (!is_wanted(each, figures)) continue;
+    const std::vector<NamedPlot> plots = run_kind("element").plots(runs_of(each, runs), each.subject);
     for (const auto& [figure, name, file] : each.parts)
-      if (figures.contains(figure))
-        found.push_back({figure, name, "Figure " + name, std::ranges::find(plots, file, &ElementPlot::file)->plot});
+      if (const auto plot = std::ranges::find(plots, file, &NamedPlot::file);
+          figures.contains(figure) && plot != plots.end())
+        found.push_back({figure, name, "Figure " + name, plot->plot});
   }
   std::ranges::stable_sort(found, {}, &FigurePart::name);
   return found;
 }
 
-CriticalState triaxial_end(const Catalogue& catalogue) {
+CriticalState triaxial_end(Runs runs, const Values& law) {
   CriticalState end;
-  for (const std::string& void_ratio : loose_to_dense) {
-    const Values values =
-        element_values("triaxial", {"specimen.void_ratio=" + void_ratio, "loading.final_strain=0.7"}, catalogue);
-    const ElementRow last = element_curve(values, catalogue).rows.back();
-    end.angle.push_back(last.phi_mob);
-    end.void_ratio.push_back(last.void_ratio);
-    const double P = last.sigma[0] + last.sigma[1] + last.sigma[2];
-    end.expected_void_ratio = critical_void_ratio(values.section("material"), P / 3.0);
+  for (const RunResult& run : runs_of(to_the_end, runs)) {
+    const auto last = [&](const char* column) { return run.history[column].back(); };
+    end.angle.push_back(last("phi_mob_deg"));
+    end.void_ratio.push_back(last("void_ratio"));
+    end.expected_void_ratio =
+        critical_void_ratio(law, (last("sigma_1_Pa") + last("sigma_2_Pa") + last("sigma_3_Pa")) / 3.0);
   }
   return end;
 }

@@ -1,9 +1,8 @@
 /// The paper's Figures 2 to 5: element tests at one point.
 #pragma once
 
-#include "apps/element/pictures.hpp"
 #include "apps/reproduce/paper_runs.hpp"
-#include "core/interface/catalogue.hpp"
+#include "core/campaign/run_result.hpp"
 
 namespace riedel {
 
@@ -14,7 +13,12 @@ struct FigurePart {
   std::string caption;
   Plot plot;
 };
-std::vector<FigurePart> element_figures(const Figures& figures, const Catalogue& catalogue);
+
+/// The element tests that these figures need.
+std::vector<Variant> element_runs(const Figures& figures);
+
+/// From runs that include those.
+std::vector<FigurePart> element_figures(const Figures& figures, Runs runs);
 
 /// e_c = e_c0 exp[−(3p/h_s)^n] of a law that has such parameters.   @param pressure p [Pa]
 double critical_void_ratio(const Values& law, double pressure);
@@ -24,6 +28,7 @@ struct CriticalState {
   std::vector<double> angle, void_ratio; ///< [deg], [-]
   double expected_void_ratio = 0.0;      ///< e_c at the mean pressure there [-]
 };
-CriticalState triaxial_end(const Catalogue& catalogue);
+/// @param law the law's parameters
+CriticalState triaxial_end(Runs runs, const Values& law);
 
 } // namespace riedel

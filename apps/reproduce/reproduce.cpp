@@ -57,11 +57,12 @@ struct Reproduction {
   std::vector<Told> told;
 };
 
-Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figures& figures,
-                             const Catalogue& catalogue) {
-  Reproduction found{.curves = element_figures(figures, catalogue), .specimens = {}, .told = {}};
+Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figures& figures, Runs elements) {
+  Reproduction found{.curves = element_figures(figures, elements), .specimens = {}, .told = {}};
   std::vector<Statement> of_elements;
-  if (!found.curves.empty()) of_elements = element_statements(triaxial_end(catalogue));
+  if (const CriticalState end = triaxial_end(elements, ways.front().paper_case().section("material"));
+      !end.angle.empty())
+    of_elements = element_statements(end);
   const auto move_to = [](auto& all, auto&& some) {
     for (auto& one : some) all.push_back(std::move(one));
   };
@@ -101,15 +102,15 @@ Page report(const std::string& command, const std::vector<PaperResults>& ways, c
   return page;
 }
 
-/// The runs of Figures 7 to 10, done now or before; none where no figure needs any.
+/// Runs of one kind, done now or before; none where no figure needs any.
 struct PaperRuns {
   OutputFolder folder; ///< held until the figures are drawn
   std::vector<RunResult> results;
 };
-PaperRuns runs_of(const Arguments& arguments, const std::vector<Variant>& variants, const fs::path& folder,
-                  const Interrupt& interrupt) {
+PaperRuns runs_of(const RunKind& kind, const Arguments& arguments, const std::vector<Variant>& variants,
+                  const fs::path& folder, const Interrupt& interrupt) {
   if (variants.empty()) return {.folder = OutputFolder(folder, arguments.command, true), .results = {}};
-  const Plan plan = plan_of(run_kind("biaxial"), "The paper", arguments.command, variants,
+  const Plan plan = plan_of(kind, "The paper", arguments.command, variants,
                             [](const CaseFile& given) { return inventory(given).catalogue; });
   OpenCampaign campaign = open_campaign(folder, plan, arguments.force(), run_kinds());
   carry_out(plan, folder, {"reproduce", arguments.threads().most, [&] { return static_cast<bool>(interrupt); }});
@@ -139,11 +140,15 @@ int reproduce(const Arguments& arguments) {
   const fs::path folder = arguments.out(fs::path("results/reproduce") / ways.front().scheme);
   const Interrupt interrupt;
 
-  const PaperRuns runs = runs_of(arguments, variants, folder, interrupt);
+  const PaperRuns runs = runs_of(run_kind("biaxial"), arguments, variants, folder, interrupt);
+  if (interrupt) return interrupt.exit_code();
+  std::optional<PaperRuns> elements;
+  if (const std::vector<Variant> tests = element_runs(figures); !tests.empty())
+    elements.emplace(runs_of(run_kind("element"), arguments, tests, folder / "elements", interrupt));
   if (interrupt) return interrupt.exit_code();
   std::vector<PaperResults> results;
   for (std::size_t i = 0; i < ways.size(); ++i) results.emplace_back(runs.results, figures, cases[i], ways[i]);
-  const Reproduction found = reproduction_of(results, figures, catalogue);
+  const Reproduction found = reproduction_of(results, figures, elements ? Runs(elements->results) : Runs{});
   write_atomically(folder / "verdicts.md", statement_markdown(found.told));
   std::vector<std::string> written{"verdicts.md"};
   try_to_write("the report", [&] {

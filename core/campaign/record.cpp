@@ -19,8 +19,10 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* file_name = "campaign.json";
-constexpr std::array own_files{"results.csv",    "report.html",       "curves.png", "verdicts.md",
-                               "campaign.slurm", "campaign.parallel", file_name}; ///< the record last
+constexpr std::array own_files{"results.csv",     "report.html",       "curves.png",   "verdicts.md",
+                               "campaign.slurm",  "campaign.parallel", "friction.png", "void_ratio.png",
+                               "compression.png", "stress_strain.png", "p_q.png",      "shear.png",
+                               file_name}; ///< the record last
 
 ordered_json json_of(const PlannedRun& run) {
   ordered_json settings = ordered_json::object();

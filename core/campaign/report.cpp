@@ -121,6 +121,11 @@ std::vector<std::string> write_campaign_pictures(const Plan& plan, Runs results,
   const Plot curves = campaign_curves(*plan.kind, runs, plan.title);
   if (curves.series.empty()) return {};
   write_png(folder / names.front(), curves);
+  if (plan.kind->plots != nullptr)
+    for (const auto& [file, plot] : plan.kind->plots(runs, "")) {
+      write_png(folder / file, plot);
+      names.push_back(file);
+    }
   if (!plan.kind->has_frames) return names;
   const double strain = common_strain(runs);
   const std::size_t most = panels_of_a_picture(runs);

@@ -18,6 +18,12 @@ struct CurveAxes {
   std::string y, y_label;
 };
 
+/// A picture and the name of its file.
+struct NamedPlot {
+  std::string file;
+  Plot plot;
+};
+
 struct RunKind {
   CaseKind cases;
   std::string curve_file;                ///< in a run's folder, as CSV
@@ -31,6 +37,8 @@ struct RunKind {
   CurveAxes (*axes)(const CaseFile& given) = nullptr;
   /// How a run that is done came out, in one line.
   std::string (*outcome)(const nlohmann::ordered_json& summary) = nullptr;
+  /// More pictures of curves; none where the runs cannot share them. @param subject behind the title
+  std::vector<NamedPlot> (*plots)(Runs runs, const std::string& subject) = nullptr;
   /// Behind the curves in a report: a heading and a table each.
   std::vector<std::pair<std::string, PageTable>> (*tables)(Runs runs) = nullptr;
 };

@@ -59,7 +59,7 @@ TEST_F(Compare, VariesElementTestsAsWell) {
     EXPECT_GT(std::stod(row.at("sigma_1_final_Pa")), 1e4);
   }
   EXPECT_THAT(outcome.out, AllOf(ContainsRegex("peak [0-9.]+ deg at [0-9.]+ %, end "),
-                                 HasSubstr("results.csv, report.html, curves.png\n")));
+                                 HasSubstr("results.csv, report.html, curves.png, stress_strain.png, ")));
   EXPECT_THAT(file_content(out_ / "report.html"), AllOf(HasSubstr("Both drivers"), HasSubstr("strain ε₁ [%]")));
   const fs::path one = out_ / rows.front().at("run");
   ASSERT_EQ(

@@ -132,6 +132,19 @@ Offences includes_that_run_up(const SourceFile& file) {
   return found;
 }
 
+Offences includes_of_other_apps(const SourceFile& file) {
+  static const std::regex folder("^apps/([^/]+)/.+");
+  std::smatch own, other;
+  if (!std::regex_match(file.path, own, folder)) return {};
+  Offences found;
+  for_each_include(file.text, '"', [&](const std::string& name, int line) {
+    if (std::regex_match(name, other, folder) && other.str(1) != own.str(1))
+      found.push_back(place(file, line) + "must not include another app's \"" + name +
+                      "\"; core or apps/*.hpp may stand between");
+  });
+  return found;
+}
+
 Offences circles_of_includes(const std::vector<SourceFile>& files) {
   std::map<std::string, Names> includes;
   for (const SourceFile& file : files)

@@ -11,6 +11,9 @@ using Offences = std::vector<std::string>;
 /// interface; materials and nonlocal see base and interface; apps and tests see everything.
 Offences includes_that_run_up(const SourceFile& file);
 
+/// Includes from one app's folder of another's.
+Offences includes_of_other_apps(const SourceFile& file);
+
 /// Files that include each other in a circle.
 Offences circles_of_includes(const std::vector<SourceFile>& files);
 

@@ -33,6 +33,8 @@ TEST(House, IsRead) {
 
 TEST(House, HasIncludesThatRunDownOnly) { EXPECT_THAT(offences(includes_that_run_up), IsEmpty()); }
 
+TEST(House, HasAppsThatKnowNothingOfOneAnother) { EXPECT_THAT(offences(includes_of_other_apps), IsEmpty()); }
+
 TEST(House, HasNoCircleOfIncludes) { EXPECT_THAT(circles_of_includes(house()), IsEmpty()); }
 
 TEST(House, KeepsEveryLibraryInItsFiles) { EXPECT_THAT(offences(libraries_out_of_place), IsEmpty()); }

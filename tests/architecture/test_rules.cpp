@@ -62,6 +62,17 @@ TEST(RuleOnIncludes, LetsAppsAndTestsSeeEverything) {
               IsEmpty());
 }
 
+TEST(RuleOnIncludes, KeepsTheFoldersOfAppsApart) {
+  const auto offences = [](const std::string& from, const std::string& to) {
+    return includes_of_other_apps({from, "#include \"" + to + "\"\n"});
+  };
+  EXPECT_THAT(offences("apps/reproduce/figures.cpp", "apps/element/pictures.hpp"), SizeIs(1));
+  EXPECT_THAT(offences("apps/element/incremental/a.cpp", "apps/biaxial/keys.hpp"), SizeIs(1));
+  EXPECT_THAT(offences("apps/element/incremental/a.cpp", "apps/element/path.hpp"), IsEmpty());
+  EXPECT_THAT(offences("apps/reproduce/figures.cpp", "apps/kinds.hpp"), IsEmpty());
+  EXPECT_THAT(offences("apps/kinds.cpp", "apps/biaxial/keys.hpp"), IsEmpty());
+}
+
 TEST(RuleOnIncludes, FindsANameThatDoesNotStartAtTheTopOfTheTree) {
   EXPECT_THAT(includes_that_run_up({"core/base/types.hpp", "#include \"error.hpp\"\n"}), SizeIs(1));
 }
