@@ -2,7 +2,7 @@
 
 #include "apps/element/keys.hpp"
 #include "core/base/error.hpp"
-#include "core/io/suggestion.hpp"
+#include "core/base/suggestion.hpp"
 
 #include <algorithm>
 

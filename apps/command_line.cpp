@@ -1,8 +1,8 @@
 #include "apps/command_line.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/io/shell_word.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <algorithm>
 #include <boost/program_options.hpp>

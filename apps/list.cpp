@@ -4,8 +4,8 @@
 #include "apps/commands.hpp"
 #include "apps/entry_text.hpp"
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/case/key_tables.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <algorithm>
 #include <functional>

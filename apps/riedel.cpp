@@ -5,8 +5,8 @@
 #include "apps/manual.hpp"
 #include "apps/standard_streams.hpp"
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/io/messages.hpp"
-#include "core/io/suggestion.hpp"
 #include "core/run/failure.hpp"
 
 #include <iostream>

@@ -2,8 +2,8 @@
 
 #include "apps/built_in.hpp"
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/io/readable.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <algorithm>
 

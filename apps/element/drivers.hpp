@@ -1,18 +1,10 @@
 /// Who carries out an element test: from a validated case to a curve.
 #pragma once
 
-#include "apps/element/curve.hpp"
-#include "core/base/thread_choice.hpp"
 #include "core/interface/catalogue.hpp"
+#include "materials/element/rows.hpp"
 
 namespace riedel {
-
-/// What a driver tells, and asks, on its way.
-struct ElementWatch {
-  std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
-  std::function<bool()> stop;                                     ///< asked after each step
-  ThreadRange threads = {};                                       ///< of a specimen of many points
-};
 
 /// A driver returns what came out, also when the material could not follow: then `failure` says why.
 struct ElementDriver {

@@ -8,6 +8,7 @@
 #include "apps/element/keys.hpp"
 #include "apps/element/path.hpp"
 #include "apps/element/pictures.hpp"
+#include "apps/element/summary.hpp"
 #include "core/base/error.hpp"
 #include "core/campaign/legend.hpp"
 #include "core/case/case_text.hpp"

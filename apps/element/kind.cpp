@@ -6,11 +6,11 @@
 #include "apps/element/views.hpp"
 #include "apps/kinds.hpp"
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/case/case_help.hpp"
 #include "core/case/key_tables.hpp"
 #include "core/case/schema.hpp"
 #include "core/io/json_text.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 /// The specimen between plates, run by the material point method, as a driver of element tests.
 #include "apps/element/drivers.hpp"
 #include "apps/element/path.hpp"
-#include "apps/element/rows.hpp"
 #include "apps/element/specimen.hpp"
 #include "core/base/error.hpp"
+#include "materials/element/rows.hpp"
 
 namespace riedel {
 

@@ -1,9 +1,9 @@
 /// The path that an element test leads a point along: stages, each a number of legs that may be repeated.
 #pragma once
 
-#include "apps/element/curve.hpp"
-#include "apps/element/measures.hpp"
 #include "core/base/parameters.hpp"
+#include "materials/element/curve.hpp"
+#include "materials/element/measures.hpp"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 #include "apps/element/path_keys.hpp"
 
-#include "apps/element/measures.hpp"
 #include "core/base/error.hpp"
 #include "core/case/material_keys.hpp"
+#include "materials/element/measures.hpp"
 
 #include <charconv>
 

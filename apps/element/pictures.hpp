@@ -1,10 +1,10 @@
 /// The pictures of element tests.
 #pragma once
 
-#include "apps/element/curve.hpp"
 #include "core/campaign/run_kind.hpp"
 #include "core/draw/plot.hpp"
 #include "core/io/table.hpp"
+#include "materials/element/curve.hpp"
 
 #include <optional>
 

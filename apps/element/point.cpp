@@ -1,7 +1,7 @@
 /// The point driver as a driver of element tests.
 #include "apps/element/drivers.hpp"
 #include "apps/element/path.hpp"
-#include "apps/element/rows.hpp"
+#include "materials/element/rows.hpp"
 
 namespace riedel {
 

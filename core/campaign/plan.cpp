@@ -1,9 +1,9 @@
 #include "core/campaign/plan.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/campaign/legend.hpp"
 #include "core/case/case_text.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,9 +1,9 @@
 #include "core/case/case_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/case/toml_reader.hpp"
 #include "core/io/input_file.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <algorithm>
 #include <set>

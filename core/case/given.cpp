@@ -1,8 +1,8 @@
 #include "core/case/given.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/case/case_text.hpp"
-#include "core/io/suggestion.hpp"
 #include "core/io/units.hpp"
 
 #include <algorithm>

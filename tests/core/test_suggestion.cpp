@@ -1,4 +1,4 @@
-#include "core/io/suggestion.hpp"
+#include "core/base/suggestion.hpp"
 
 #include <gtest/gtest.h>
 #include <vector>

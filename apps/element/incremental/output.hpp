@@ -1,9 +1,9 @@
 /// An output in the columns of IncrementalDriver.
 #pragma once
 
-#include "apps/element/measures.hpp"
 #include "core/base/parameters.hpp"
 #include "core/io/atomic_file.hpp"
+#include "materials/element/measures.hpp"
 
 #include <filesystem>
 

@@ -3,8 +3,8 @@
 #include "apps/element/incremental/stop.hpp"
 #include "apps/element/incremental/variables.hpp"
 #include "apps/element/path_keys.hpp"
+#include "core/base/suggestion.hpp"
 #include "core/case/case_text.hpp"
-#include "core/io/suggestion.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

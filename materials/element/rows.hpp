@@ -1,10 +1,18 @@
 /// Decides which points of a path become rows of a curve: straight lines between them show it.
 #pragma once
 
-#include "apps/element/drivers.hpp"
-#include "apps/element/measures.hpp"
+#include "core/base/thread_choice.hpp"
+#include "materials/element/curve.hpp"
+#include "materials/element/measures.hpp"
 
 namespace riedel {
+
+/// What a driver tells, and asks, on its way.
+struct ElementWatch {
+  std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
+  std::function<bool()> stop;                                     ///< asked after each step
+  ThreadRange threads = {};                                       ///< of a specimen of many points
+};
 
 class ElementRows {
 public:

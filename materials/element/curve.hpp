@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 namespace riedel {
@@ -65,8 +64,5 @@ ElementRow element_row(const LawPoint& point, double void_ratio, Friction fricti
 /// Header of element.csv: with phi_principal_deg in the shear test and, with pore water, its pressure at the end.
 std::vector<std::string> element_columns(const std::string& test, bool water);
 std::vector<double> element_numbers(const ElementRow& row, const std::string& test, bool water);
-
-/// The keys of summary.json that follow from the curve.
-nlohmann::ordered_json element_summary(const ElementCurve& curve);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-#include "apps/element/rows.hpp"
+#include "materials/element/rows.hpp"
 
 #include "core/base/error.hpp"
 

@@ -1,8 +1,8 @@
-#include "apps/element/measures.hpp"
+#include "materials/element/measures.hpp"
 
-#include "apps/element/curve.hpp"
 #include "core/base/error.hpp"
-#include "core/io/suggestion.hpp"
+#include "core/base/suggestion.hpp"
+#include "materials/element/curve.hpp"
 
 #include <Eigen/LU>
 
