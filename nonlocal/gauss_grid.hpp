@@ -26,6 +26,8 @@ public:
   void follow(const Columns& positions) override;
   void average(const double* volumes, const double* field, double* averaged) override;
   void forget_neighbours() override { points_ = 0; }
+  [[nodiscard]] double tolerance() const override { return 5e-3; } // its kernel is not quite Gauss's
+  [[nodiscard]] bool keeps_pairs() const override { return false; }
   /// Times that the grid was laid out: at first, for other points and when a point has left it.
   [[nodiscard]] std::int64_t searches() const override { return layouts_; }
 

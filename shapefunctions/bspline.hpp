@@ -12,6 +12,9 @@ class QuadraticBspline final : public ShapeFunction<Dim> {
 public:
   static constexpr std::string_view name = "bspline2";
 
+  [[nodiscard]] SchemeTraits traits() const override {
+    return {.continuous_gradients = true, .order_across_cells = 2, .ends_at_walls = true};
+  }
   [[nodiscard]] int max_nodes() const override { return power(3, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
   [[nodiscard]] double least_weight() const override { return 1e-60; }
@@ -23,6 +26,10 @@ class CubicBspline final : public ShapeFunction<Dim> {
 public:
   static constexpr std::string_view name = "bspline3";
 
+  [[nodiscard]] SchemeTraits traits() const override {
+    return {
+        .continuous_gradients = true, .order_across_cells = 2, .converges_at_free_faces = true, .ends_at_walls = true};
+  }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
   [[nodiscard]] double least_weight() const override { return 1e-60; }

@@ -16,6 +16,13 @@ public:
 
   explicit Cpdi(const Values& options) : limit_(options.number("domain_limit")) {}
 
+  [[nodiscard]] SchemeTraits traits() const override {
+    return {.domain = PointDomain::stretched,
+            .continuous_gradients = true,
+            .order_across_cells = 1,
+            .converges_at_free_faces = true,
+            .balances_pressure_on_points = true};
+  }
   /// Every corner reaches the nodes of its cell; a node may stand in several corners' entries.
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }

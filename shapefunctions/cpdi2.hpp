@@ -16,6 +16,14 @@ public:
 
   explicit Cpdi2(const Values& options) : limit_(options.number("domain_limit")) {}
 
+  [[nodiscard]] SchemeTraits traits() const override {
+    return {.domain = PointDomain::stretched,
+            .continuous_gradients = true,
+            .order_across_cells = 1,
+            .converges_at_free_faces = true,
+            .balances_pressure_on_points = true,
+            .moves_points = true};
+  }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }
   [[nodiscard]] bool loads_corners() const override { return true; }

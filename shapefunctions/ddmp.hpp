@@ -15,6 +15,9 @@ public:
 
   explicit Ddmp(const Values& options) : alpha_(options.number("alpha")) {}
 
+  [[nodiscard]] SchemeTraits traits() const override {
+    return {.continuous_gradients = true, .order_across_cells = 1, .balances_pressure_on_points = true};
+  }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
   [[nodiscard]] bool spreads_points() const override { return false; } // its weights are hats

@@ -11,6 +11,7 @@ class Linear final : public ShapeFunction<Dim> {
 public:
   static constexpr std::string_view name = "linear";
 
+  [[nodiscard]] SchemeTraits traits() const override { return {.balances_pressure_on_points = true}; }
   [[nodiscard]] int max_nodes() const override { return power(2, Dim); }
   [[nodiscard]] int margin() const override { return 0; }
   [[nodiscard]] bool spreads_points() const override { return false; }

@@ -15,6 +15,9 @@ public:
 
   explicit Lme(const Values& options);
 
+  [[nodiscard]] SchemeTraits traits() const override {
+    return {.continuous_gradients = true, .order_across_cells = 1, .ends_at_walls = true};
+  }
   [[nodiscard]] int max_nodes() const override { return power(6, Dim); }
   [[nodiscard]] int margin() const override { return 2; }
   [[nodiscard]] double least_weight() const override { return 1e-60; }

@@ -59,11 +59,14 @@ double bytes_of_stencils(const BiaxialCase& v, const ShapeFunction<Dim>& scheme,
 }
 
 template <int Dim>
-double bytes_of_neighbours(const BiaxialCase& v, const std::array<double, 3>& counts, const Vec<Dim>& spacing) {
+double bytes_of_neighbours(const BiaxialCase& v, const Catalogue& catalogue, const std::array<double, 3>& counts,
+                           const Vec<Dim>& spacing) {
   constexpr double bytes_of_pair = 10.0, reach = 3.1; // 8 at first; 12 in a later search, beside the old weights
   const double length = v.nonlocal.length;
   if (length == 0.0) return 0.0;
-  if (v.nonlocal.averager == "gauss_grid") return 0.0;
+  const auto& known = catalogue.in<Dim>();
+  auto search = known.searches.find(v.nonlocal.search).make();
+  if (!known.averagers.find(v.nonlocal.averager).make(length, std::move(search))->keeps_pairs()) return 0.0;
   std::array<double, 3> apart{spacing[0], spacing[1], 1.0};
   if constexpr (Dim == 3) apart[2] = spacing[2];
   return bytes_of_pair * pairs_within(counts, apart, reach * length);
@@ -95,8 +98,9 @@ MemoryNeeded needed(const BiaxialCase& v, const Catalogue& catalogue) {
     need.nodes += nodes * (3.0 * sizeof(Few<8>) + number);
   }
   need.stencils = bytes_of_stencils<Dim>(v, *scheme, points);
-  need.neighbours =
-      law->nonlocal_variables().empty() ? 0.0 : bytes_of_neighbours<Dim>(v, counts, specimen.cell / per_direction);
+  need.neighbours = law->nonlocal_variables().empty()
+                        ? 0.0
+                        : bytes_of_neighbours<Dim>(v, catalogue, counts, specimen.cell / per_direction);
   if (v.output.vtk || v.output.plots) need.frames = points * bytes_of_frame<Dim>(states);
   if (v.output.plots) need.frames = std::max(need.frames, bytes_of_pictures);
   return need;

@@ -13,6 +13,7 @@ public:
   static Keys parameters() { return {{"width", 0.5, "-", within(0, 1), "boxed: width of the box, in cells"}}; }
   explicit Boxed(const Values& given) : width_(given.number("width")) {}
 
+  [[nodiscard]] SchemeTraits traits() const override { return {.continuous_gradients = true, .order_across_cells = 1}; }
   [[nodiscard]] int max_nodes() const override { return power(3, Dim); } // three along each axis
   [[nodiscard]] int margin() const override { return 1; }                // a box reaches over its cell's edge
 

@@ -10,11 +10,6 @@ VerifyRun run_crossing(const VerifyCase& given) {
   return run_manufactured(given, axis_aligned_in_cube(given.cells, 0.05));
 }
 
-Expectation expected_of_crossing(std::string_view scheme) {
-  if (scheme == "linear") return {};
-  return {"1 to 2", 1.0};
-}
-
 } // namespace
 
 VerifyProblem crossing_cube_problem() {
@@ -25,7 +20,7 @@ VerifyProblem crossing_cube_problem() {
           .cells = {4, 8, 16},
           .figures = {},
           .run = run_crossing,
-          .expected = expected_of_crossing};
+          .expected = expected_across_cells};
 }
 
 } // namespace riedel

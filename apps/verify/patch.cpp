@@ -92,8 +92,6 @@ double error_of_linear_motion(VerifySetup<Dim> setup, const Mat<Dim>& A, Watch& 
   return error;
 }
 
-double patch_round_off(std::string_view scheme) { return scheme == "gimp" || scheme == "cpgimp" ? 1e-10 : 1e-12; }
-
 namespace {
 
 /// Of the translation, a rotation, a shear and a stretching.
@@ -120,7 +118,9 @@ VerifyRun run_patch(const VerifyCase& given) {
   return {*std::ranges::max_element(figures), watch.ns(), figures};
 }
 
-Expectation expectation(std::string_view scheme) { return {.text = "exact", .most_error = patch_round_off(scheme)}; }
+Expectation expectation(const SchemeTraits& scheme) {
+  return {.text = "exact", .most_error = scheme.translation_error};
+}
 
 } // namespace
 

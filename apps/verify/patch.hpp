@@ -19,10 +19,6 @@ double error_of_translation(VerifySetup<Dim> setup, Watch& watch);
 template <int Dim>
 double error_of_linear_motion(VerifySetup<Dim> setup, const Mat<Dim>& A, Watch& watch);
 
-/// What still counts as exact. Slopes of GIMP fade later than its masses: they miss nodes of less than a share of 1e-12
-/// of a point's mass, which carry no motion.
-double patch_round_off(std::string_view scheme);
-
 VerifyProblem patch_problem();
 
 } // namespace riedel

@@ -34,6 +34,9 @@ struct Expectation {
   double most_error = std::numeric_limits<double>::infinity(); ///< with the finest cells [-]
 };
 
+/// Of displacements, in a problem whose points cross cells.
+Expectation expected_across_cells(const SchemeTraits& scheme);
+
 struct VerifyProblem {
   std::string name;
   std::string title;
@@ -42,7 +45,7 @@ struct VerifyProblem {
   std::vector<Index> cells;         ///< along the body; one number, or from coarse to fine, each twice the last
   std::vector<std::string> figures; ///< what else a run tells, as deviations
   VerifyRun (*run)(const VerifyCase& given);
-  Expectation (*expected)(std::string_view scheme);
+  Expectation (*expected)(const SchemeTraits& scheme);
 };
 
 /// Every problem: a line each.

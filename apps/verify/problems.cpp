@@ -11,6 +11,11 @@
 
 namespace riedel {
 
+Expectation expected_across_cells(const SchemeTraits& scheme) {
+  if (scheme.order_across_cells == 0) return {};
+  return {"1 to 2", 1.0};
+}
+
 std::span<const VerifyProblem> verify_problems() {
   static const std::vector<VerifyProblem> all{
       patch_problem(),         bar_problem(),          traction_bar_problem(),

@@ -46,11 +46,6 @@ bool in_ring(const Vec<2>& X) { return X.norm() > inner && X.norm() < outer; }
 
 VerifyRun run_ring(const VerifyCase& given) { return run_manufactured(given, ring(given.cells)); }
 
-Expectation expectation(std::string_view scheme) {
-  if (scheme == "linear") return {};
-  return {"1 to 2", 1.0};
-}
-
 } // namespace
 
 Manufactured<2> ring(Index cells) {
@@ -75,7 +70,7 @@ VerifyProblem ring_problem() {
           .cells = {4, 8, 16},
           .figures = {},
           .run = run_ring,
-          .expected = expectation};
+          .expected = expected_across_cells};
 }
 
 } // namespace riedel

@@ -13,11 +13,10 @@ VerifyRun run_crossing(const VerifyCase& given) {
   return run_manufactured(given, axis_aligned_in_square(given.cells, 0.05));
 }
 
-Expectation expected_of_still(std::string_view) { return {"2", 1.5}; }
-Expectation expected_of_crossing(std::string_view scheme) {
-  if (scheme == "linear") return {};
-  if (scheme == "bspline2" || scheme == "bspline3") return {"2", 1.5};
-  return {"1 to 2", 1.0};
+Expectation expected_of_still(const SchemeTraits&) { return {"2", 1.5}; }
+Expectation expected_of_crossing(const SchemeTraits& scheme) {
+  if (scheme.order_across_cells >= 2) return {"2", 1.5};
+  return expected_across_cells(scheme);
 }
 
 VerifyProblem square_problem(const std::string& name, const std::string& how) {

@@ -26,7 +26,13 @@ std::string VerifyStudy::missed() const {
 
 VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, const std::string& scheme,
                   const StudyOptions& options) {
-  VerifyStudy answer{.problem = &problem, .scheme = scheme, .points = options.points, .runs = {}, .failure = {}};
+  const auto& entry = catalogue.in_2d.schemes.find(scheme);
+  VerifyStudy answer{.problem = &problem,
+                     .scheme = scheme,
+                     .traits = entry.make(Values(entry.description.parameters))->traits(),
+                     .points = options.points,
+                     .runs = {},
+                     .failure = {}};
   try {
     for (const Index cells : problem.cells)
       if (cells <= options.most_cells)

@@ -8,11 +8,12 @@ namespace riedel {
 struct VerifyStudy {
   const VerifyProblem* problem = nullptr;
   std::string scheme;
+  SchemeTraits traits = {};
   int points = 0;              ///< in a cell along each axis; 0: the problem's own number
   std::vector<VerifyRun> runs; ///< as the problem's cells, as far as they went
   std::string failure;         ///< why the next run ended early; empty: none did
 
-  [[nodiscard]] Expectation expected() const { return problem->expected(scheme); }
+  [[nodiscard]] Expectation expected() const { return problem->expected(traits); }
   /// Slope of the straight line through the logarithms of errors and cells; not a number for less than two runs.
   [[nodiscard]] double order() const;
   /// What of the expected it lacks, such as "order 0.8, expected 1 to 2"; empty: nothing.

@@ -55,11 +55,6 @@ bool in_ring(const Vec<2>& X) {
 
 VerifyRun run_vortex(const VerifyCase& given) { return run_manufactured(given, vortex(given.cells)); }
 
-Expectation expectation(std::string_view scheme) {
-  if (scheme == "linear") return {};
-  return {"1 to 2", 1.0};
-}
-
 } // namespace
 
 Manufactured<2> vortex(Index cells) {
@@ -87,7 +82,7 @@ VerifyProblem vortex_problem() {
           .cells = {4, 8, 16},
           .figures = {},
           .run = run_vortex,
-          .expected = expectation};
+          .expected = expected_across_cells};
 }
 
 } // namespace riedel

@@ -22,6 +22,10 @@ public:
   virtual void average(const double* volumes, const double* field, double* averaged) = 0;
   /// Must be called when points have changed their numbers.
   virtual void forget_neighbours() = 0;
+  /// How far it may be from the sum over all pairs, for a field that varies by one from point to point [-].
+  [[nodiscard]] virtual double tolerance() const { return 3e-7; }
+  /// Whether it remembers each pair of neighbours, which takes most of a run's memory.
+  [[nodiscard]] virtual bool keeps_pairs() const { return true; }
   /// Times that neighbours were searched for.
   [[nodiscard]] virtual std::int64_t searches() const = 0;
 };

@@ -9,7 +9,7 @@
 namespace riedel {
 
 /// Goes up when a library compiled against older headers would be misunderstood.
-inline constexpr std::uint32_t plugin_abi = 2;
+inline constexpr std::uint32_t plugin_abi = 3;
 
 /// What a plug-in exports under the name `riedel_plugin`. The first two members keep their places for ever.
 struct Plugin {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/registry.hpp"
+#include "core/interface/scheme_traits.hpp"
 #include "core/state/grid.hpp"
 #include "core/state/nodes.hpp"
 #include "core/state/points.hpp"
@@ -23,6 +24,8 @@ public:
   ShapeFunction(const ShapeFunction&) = delete;
   ShapeFunction& operator=(const ShapeFunction&) = delete;
 
+  /// What the scheme promises beside the contract; problems with known answers and tests expect no more, and no less.
+  [[nodiscard]] virtual SchemeTraits traits() const { return {}; }
   /// Most entries that one point's stencil can have.
   [[nodiscard]] virtual int max_nodes() const = 0;
   /// Layers of nodes needed beyond those of a cell that holds a point.

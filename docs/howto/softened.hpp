@@ -10,6 +10,7 @@ class Softened final : public ShapeFunction<Dim> {
 public:
   static constexpr std::string_view name = "softened";
 
+  [[nodiscard]] SchemeTraits traits() const override { return {.continuous_gradients = true, .order_across_cells = 1}; }
   [[nodiscard]] int max_nodes() const override { return power(3, Dim); } // three along each axis
   [[nodiscard]] int margin() const override { return 1; }                // a box reaches over its cell's edge
 

@@ -6,7 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"
-#include "support/problems.hpp"
+#include "support/schemes.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -178,7 +178,7 @@ TEST(LostPoint, IsNamedWithPlaceStepAndTime) {
   const Catalogue& known = catalogue();
   Values values(biaxial_keys(known, paper_model));
   values.set("grid.cells", std::vector<std::int64_t>{8, 28});
-  for (const char* scheme : {"linear", "gimp", "cpgimp", "cpdi"}) {
+  for (const std::string& scheme : schemes_that([](const SchemeTraits& of) { return !of.moves_points; })) {
     values.set("scheme", scheme);
     Simulation<2> simulation = make_biaxial(BiaxialCase(values), known);
     simulation.step();

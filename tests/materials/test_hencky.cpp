@@ -79,7 +79,7 @@ TEST(Hencky, GivesBackWhatItTookInAClosedCycle) {
 }
 
 TEST(Hencky, AgreesWithSmallStrainsWhereAxesAndVolumeStay) {
-  for (const char* law : {"mohr_coulomb", "drucker_prager"}) {
+  for (const std::string& law : laws_with("strain_measure")) {
     Parameters with{{"youngs_modulus", E}, {"cohesion_residual", 1e3}};
     LawBench small = one_point(material(law, with), -1e4 * Sym<double>::identity());
     with["strain_measure"] = "hencky";

@@ -65,7 +65,7 @@ TEST(LowPressure, AStressFreePointStartsAtTheLeastPressure) {
 }
 
 /// Hypoplastic laws, with intergranular strain and without.
-class CohesiveSand : public testing::TestWithParam<std::pair<std::string, bool>> {
+class CohesiveSand : public testing::TestWithParam<std::tuple<std::string, bool>> {
 protected:
   static constexpr double p_t = 3e3;
   static constexpr Index size = 45;
@@ -129,10 +129,10 @@ TEST_P(CohesiveSand, BearsTensionAndRegainsContactWithoutStress) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, CohesiveSand,
-                         testing::Values(std::pair{"gudehus_bauer", false}, std::pair{"gudehus_bauer", true},
-                                         std::pair{"von_wolffersdorff", false}, std::pair{"von_wolffersdorff", true}),
+                         testing::Combine(testing::ValuesIn(laws_with("intergranular_strain")), testing::Bool()),
                          [](const auto& tested) {
-                           return tested.param.first + (tested.param.second ? "_with_intergranular_strain" : "");
+                           return std::get<0>(tested.param) +
+                                  (std::get<1>(tested.param) ? "_with_intergranular_strain" : "");
                          });
 
 TEST(LowPressure, OfCohesiveSandIsReturnedInTheDirectionThatTheLawSees) {

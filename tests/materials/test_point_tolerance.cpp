@@ -77,7 +77,7 @@ TEST(PointDriver, StaysSymmetricAtTheEdgeOfAYieldSurface) {
 
 /// Where directions of stress turn, a return mapping is of first order in the step.
 TEST(PointDriver, ConvergesWhereAYieldSurfaceIsFollowedAroundItsAxis) {
-  for (const char* name : {"mohr_coulomb", "drucker_prager"}) {
+  for (const std::string& name : laws_with("softening_strain")) {
     const auto law = material(name);
     const LawPoint exact = end_of(*law, simple_shear(0.05, 50e3), 1e-9);
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {

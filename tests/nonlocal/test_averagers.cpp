@@ -10,11 +10,6 @@
 namespace riedel {
 namespace {
 
-/// How far an averager may be from the dense sum of a field that varies by one from point to point, at random.
-double tolerance(const std::string& averager) {
-  return averager == "gauss_grid" ? 5e-3 : 3e-7; // its kernel is not quite Gauss's; others round their weights at most
-}
-
 template <class Dimension>
 class EveryAverager : public testing::Test {
 protected:
@@ -28,7 +23,8 @@ protected:
     for (const auto& averager : catalogue_.averagers.entries())
       for (const auto& search : catalogue_.searches.entries()) {
         SCOPED_TRACE(averager.description.name + " with " + search.description.name);
-        check([&] { return averager.make(length_, search.make()); }, tolerance(averager.description.name));
+        const auto make = [&] { return averager.make(length_, search.make()); };
+        check(make, make()->tolerance());
       }
   }
 

@@ -1,4 +1,5 @@
 /// Plug-ins that do what they should.
+#include "apps/verify/problem.hpp"
 #include "core/io/table.hpp"
 #include "plugin/plugins.hpp"
 #include "support/law.hpp"
@@ -110,6 +111,18 @@ TEST(BoxedPlugin, EqualsGimpForABoxAsWideAsThePoints) {
   ASSERT_EQ(gimp.size(), boxed.size());
   for (std::size_t i = 0; i < gimp.size(); ++i) EXPECT_NEAR(gimp[i], boxed[i], 1e-6);
   EXPECT_NE(history("narrow", {"--set", "scheme=boxed", "--set", "interpolation.width=0.2"}).back(), gimp.back());
+}
+
+/// Problems with known answers take what to expect from the scheme itself.
+TEST(BoxedPlugin, BringsWhatIsToBeExpectedOfIt) {
+  const Catalogue all = catalogue_with(example("boxed"));
+  const auto& entry = all.in_2d.schemes.find("boxed");
+  const SchemeTraits traits = entry.make(Values(entry.description.parameters))->traits();
+  std::map<std::string, std::string> expected;
+  for (const VerifyProblem& problem : verify_problems()) expected[problem.name] = problem.expected(traits).text;
+  EXPECT_EQ(expected["square_crossing"], "1 to 2");
+  EXPECT_EQ(expected["discs"], "below 0.01");
+  EXPECT_EQ(expected["traction_bar"], "none");
 }
 
 TEST(PluginInTheProgram, ShowsItsParametersInListAndCheck) {

@@ -1,5 +1,6 @@
 /// Functions that end at a wall: what the wall does to them.
 #include "shapefunctions/one_stencil.hpp"
+#include "support/schemes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,8 +65,17 @@ TEST_P(EverySchemeThatEndsAtWalls, StretchesTheLastCellAsItsTwoRowsSay) {
   EXPECT_NEAR(N[6][1], 1.0, 1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, EverySchemeThatEndsAtWalls, testing::Values("bspline2", "bspline3", "lme"),
+INSTANTIATE_TEST_SUITE_P(Names, EverySchemeThatEndsAtWalls,
+                         testing::ValuesIn(schemes_that([](const SchemeTraits& of) { return of.ends_at_walls; })),
                          [](const auto& tested) { return tested.param; });
+
+TEST(EverySchemeThatDoesNotEndAtWalls, HasTheSameFunctionsThere) {
+  for (const std::string& name : schemes_that([](const SchemeTraits& of) { return !of.ends_at_walls; }))
+    for (const double x : {1.0, 1.1, 1.4}) {
+      const auto with = along_x(name, x, between_walls()), without = along_x(name, x, four_cells<2>());
+      for (std::size_t i = 0; i < with.size(); ++i) EXPECT_EQ((with[i] - without[i]).norm(), 0.0) << name << ", " << x;
+    }
+}
 
 } // namespace
 } // namespace riedel::test

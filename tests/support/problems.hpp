@@ -14,10 +14,22 @@ inline const Catalogue& catalogue() {
   return all;
 }
 
-/// Of the laws that run with their defaults: a UMAT needs a library; those in tests/plugin have one.
+/// Whether a case can set `parameter` for a law.
+inline bool law_has(const std::string& law, std::string_view parameter) {
+  const Keys& keys = catalogue().materials.find(law).description.parameters;
+  return std::ranges::any_of(keys, [&](const Key& key) { return key.name == parameter; });
+}
+
+/// Of the laws that run with their defaults: a foreign one needs a library; those in tests/plugin have one.
 inline std::vector<std::string> law_names() {
   std::vector<std::string> names = catalogue().materials.names();
-  std::erase(names, "umat");
+  std::erase_if(names, [](const std::string& name) { return law_has(name, "library"); });
+  return names;
+}
+
+inline std::vector<std::string> laws_with(std::string_view parameter) {
+  std::vector<std::string> names = law_names();
+  std::erase_if(names, [&](const std::string& name) { return !law_has(name, parameter); });
   return names;
 }
 

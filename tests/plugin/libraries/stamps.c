@@ -14,11 +14,11 @@ struct stamp {
 #if KIND == 1 /* another interface */
 const struct stamp riedel_plugin = {"riedel plug", 4711, "0.2.0", "12", 0, 0};
 #elif KIND == 2 /* another version */
-const struct stamp riedel_plugin = {"riedel plug", 2, "99.1.0", "12", 0, 0};
+const struct stamp riedel_plugin = {"riedel plug", 3, "99.1.0", "12", 0, 0};
 #elif KIND == 3 /* another compiler */
-const struct stamp riedel_plugin = {"riedel plug", 2, RIEDEL_VERSION, "3.4", 1, 0};
+const struct stamp riedel_plugin = {"riedel plug", 3, RIEDEL_VERSION, "3.4", 1, 0};
 #elif KIND == 4 /* something else under that name */
-const struct stamp riedel_plugin = {"other thing", 2, RIEDEL_VERSION, "12", 0, 0};
+const struct stamp riedel_plugin = {"other thing", 3, RIEDEL_VERSION, "12", 0, 0};
 #elif KIND == 5 /* a symbol that nobody has */
 extern void nobody_has_this(void);
 void call_it(void) { nobody_has_this(); }
