@@ -189,7 +189,7 @@ const std::vector<Command>& commands() {
       {"check", "[CASE.toml] [options]",
        "Checks a case, tells all errors at once, or prints it with every key in force.", 1, check_options(), check,
        check_help},
-      {"list", "[schemes|materials|searches|averagers|plugins|NAME ...] [options]",
+      {"list", "[schemes|materials|searches|averagers|boundaries|plugins|NAME ...] [options]",
        "What can be named in a case: everything, a group, or one scheme, law, search, averager or key whole.", 100,
        list_options(), list, list_help, list_words()},
       {"bench", "[options]", "Nanoseconds per point and step, by phase; what peers reach; what the machine can do.", 0,

@@ -49,6 +49,14 @@ std::string entry_text(const Description& description, const std::string& kind, 
   return head(description, kind, key) + parameters_text(description, "nonlocal");
 }
 
+std::string boundary_text(const Description& description) {
+  std::string text = description.name + ", boundary condition: " + description.summary + "\n";
+  if (has_source(description)) text += "source: " + description.source + "\n";
+  text += "in a program: make(catalogue.in_2d.boundaries, \"" + description.name + "\", {...}, name, nodes)\n";
+  if (description.parameters.empty()) return text + "parameters: none\n";
+  return text + "parameters: name, default, what is allowed, what it is\n" + parameters_help(description.parameters);
+}
+
 std::string scheme_text(const Description& description, const Catalogue& catalogue) {
   const bool in_space = catalogue.in_3d.schemes.known(description.name);
   return head(description, "interpolation scheme", "scheme") +

@@ -1,4 +1,4 @@
-/// Schemes, laws, searches and averagers in words, for `riedel list`.
+/// Schemes, laws, searches, averagers and boundary conditions in words, for `riedel list`.
 #pragma once
 
 #include "core/interface/catalogue.hpp"
@@ -11,6 +11,9 @@ std::string brief_text(const Description& description);
 /// An entry that stands alone.
 /// @param kind what it is, such as "averager"   @param key the key of a case that names it
 std::string entry_text(const Description& description, const std::string& kind, const std::string& key);
+
+/// Of a boundary condition, which a program makes.
+std::string boundary_text(const Description& description);
 
 /// The same, and in how many dimensions it is there.
 std::string scheme_text(const Description& description, const Catalogue& catalogue);

@@ -53,10 +53,14 @@ std::vector<Group> groups_of(const Inventory& inventory) {
   const auto keyed = [](std::string kind, std::string key) {
     return [=](const auto& entry) { return entry_text(entry.description, kind, key); };
   };
+  const auto of_boundary = [](const auto& entry) { return boundary_text(entry.description); };
   const auto of_scheme = [&all](const auto& entry) { return scheme_text(entry.description, all); };
-  return {group("schemes", all.in_2d.schemes, of_scheme), group("materials", all.materials, law_text),
+  return {group("schemes", all.in_2d.schemes, of_scheme),
+          group("materials", all.materials, law_text),
           group("searches", all.in_2d.searches, keyed("search for neighbours", "nonlocal.search")),
-          group("averagers", all.in_2d.averagers, keyed("averager", "nonlocal.averager")), group_of(inventory.plugins)};
+          group("averagers", all.in_2d.averagers, keyed("averager", "nonlocal.averager")),
+          group("boundaries", all.in_2d.boundaries, of_boundary),
+          group_of(inventory.plugins)};
 }
 
 std::string text_of(const Group& group) {
@@ -102,9 +106,9 @@ std::string text_of(const std::string& wish, const std::vector<Group>& groups, c
 
 std::vector<std::string> list_words() {
   const Catalogue all = full_catalogue();
-  Texts words{"schemes", "materials", "searches", "averagers", "plugins"};
-  for (const Texts& names :
-       {all.in_2d.schemes.names(), all.materials.names(), all.in_2d.searches.names(), all.in_2d.averagers.names()})
+  Texts words{"schemes", "materials", "searches", "averagers", "boundaries", "plugins"};
+  for (const Texts& names : {all.in_2d.schemes.names(), all.materials.names(), all.in_2d.searches.names(),
+                             all.in_2d.averagers.names(), all.in_2d.boundaries.names()})
     words.insert(words.end(), names.begin(), names.end());
   return words;
 }

@@ -7,6 +7,9 @@
 #include "core/io/vtk_writer.hpp"
 #include "core/setup/fill.hpp"
 #include "core/setup/walls.hpp"
+#include "core/step/boundaries/prescribed_velocity.hpp"
+#include "core/step/boundaries/register.hpp"
+#include "core/step/boundaries/rigid_body.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/simulation.hpp"
 #include "core/step/usf.hpp"
@@ -19,28 +22,32 @@
 
 namespace riedel {
 
-/// The schemes, laws, searches and averagers that come with the library.
+/// The schemes, laws, searches, averagers and boundary conditions that come with the library.
 inline Catalogue built_in() {
   Catalogue all;
   register_shape_functions(all.in_2d.schemes);
   register_shape_functions(all.in_3d.schemes);
   register_nonlocal(all.in_2d);
   register_nonlocal(all.in_3d);
+  register_boundaries(all.in_2d.boundaries);
+  register_boundaries(all.in_3d.boundaries);
   register_materials(all.materials);
   return all;
 }
 
 /// Something of a catalogue by name, with its defaults but for what `with` says.
+/// @param args what its factory takes before the values: a boundary condition's name and place
 /// @throws InputError for a name, a key or a value that does not exist there
-template <class Make>
-auto make(const Registry<Make>& registry, const std::string& name, const std::map<std::string, Value>& with = {}) {
+template <class Make, class... Args>
+auto make(const Registry<Make>& registry, const std::string& name, const std::map<std::string, Value>& with = {},
+          const Args&... args) {
   const auto& entry = registry.find(name);
   Values values(entry.description.parameters);
   for (const auto& [key, value] : with) {
     if (!values.has(key)) throw InputError(registry.kind() + " '" + name + "' has no parameter '" + key + "'");
     values.set(key, value);
   }
-  return entry.make(values);
+  return entry.make(args..., values);
 }
 
 } // namespace riedel

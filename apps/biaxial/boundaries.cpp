@@ -1,6 +1,8 @@
 #include "apps/biaxial/boundaries.hpp"
 
 #include "core/setup/fill.hpp"
+#include "core/step/boundaries/prescribed_velocity.hpp"
+#include "core/step/boundaries/rigid_body.hpp"
 
 namespace riedel {
 
@@ -24,9 +26,9 @@ SurfaceTraction<Dim> side_pressure(const SpecimenGeometry<Dim>& specimen, const 
 /// Two layers of rigid points, from the specimen's row of cells `row` upwards. Reaches over the sides as far as its own
 /// points' supports allow, and over the depth by a cell.
 template <int Dim>
-RigidBody<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& specimen, Index row,
-                            const std::function<double(double)>& velocity) {
-  RigidBody<Dim> platen{.name = name, .axis = 1, .velocity = velocity};
+RigidPoints<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& specimen, Index row,
+                              const VelocityCourse& velocity) {
+  RigidPoints<Dim> platen{.name = name, .direction = {.axis = 1}, .velocity = velocity};
   Counts<Dim> overhang{}, cells = specimen.cells;
   overhang[0] = std::max<Index>(specimen.margin_below[0] - 4, 0);
   if constexpr (Dim == 3) overhang[2] = 1;
@@ -42,19 +44,17 @@ RigidBody<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& speci
 
 /// The bottom at rest, its middle held sideways, and the top, in the directions of the turned specimen.
 template <int Dim>
-void set_turned_platens(State<Dim>& state, const SpecimenGeometry<Dim>& s, const std::function<double(double)>& still,
-                        const std::function<double(double)>& down) {
+void set_turned_platens(Model<Dim>& model, const SpecimenGeometry<Dim>& s, const VelocityCourse& still,
+                        const VelocityCourse& down) {
   if constexpr (Dim == 2) {
-    state.rigid_bodies.push_back(rigid_platen<2>("bottom", s, -2, still));
-    RigidBody<2> pin{.name = "pin", .axis = 0, .velocity = still};
+    RigidPoints<2> bottom = rigid_platen<2>("bottom", s, -2, still), top = rigid_platen<2>("top", s, s.cells[1], down);
+    RigidPoints<2> pin{.name = "pin", .direction = {.axis = 0}, .velocity = still};
     const Vec<2> corner(0.5 * (s.size[0] - s.cell[0]), -0.5 * s.cell[1]);
     fill<2>(pin.points, lattice_of<2>({1, 1}, s.cell, 1, corner), 0);
-    state.rigid_bodies.push_back(std::move(pin));
-    state.rigid_bodies.push_back(rigid_platen<2>("top", s, s.cells[1], down));
-    for (RigidBody<2>& body : state.rigid_bodies) {
-      turn_points<2>(body.points, s.turn);
-      body.direction = s.turn.rotation.col(body.axis);
-      body.axis = oblique;
+    for (RigidPoints<2>* body : {&bottom, &pin, &top}) {
+      turn_points<2>(body->points, s.turn);
+      body->direction = {.axis = oblique, .unit = s.turn.rotation.col(body->direction.axis)};
+      model.conditions.push_back(std::make_unique<RigidBody<2>>(std::move(*body)));
     }
   }
 }
@@ -65,31 +65,32 @@ template <int Dim>
 void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Dim>& s, const BiaxialCase& v) {
   const auto still = [](double) { return 0.0; };
   const auto down = ramped(-v.loading.speed, v.loading.ramp_time);
-  if (!s.turn.is_none) return set_turned_platens<Dim>(state, s, still, down);
+  if (!s.turn.is_none) return set_turned_platens<Dim>(model, s, still, down);
   Counts<Dim> end = state.grid.nodes;
   for (Index& n : end) --n;
   // Rows of nodes from side to side. Those beyond a platen or a wall move with it, so that a domain reaching past the
   // edge sees no gradient there.
   const auto rows = [&](const char* name, int axis, Index first, Index last, const auto& velocity) {
-    NodeCondition<Dim> condition{.name = name, .last = end, .axis = axis, .velocity = velocity};
-    condition.first[axis] = first;
-    condition.last[axis] = last;
-    return condition;
+    VelocityOnNodes<Dim> nodes{.name = name, .last = end, .axis = axis, .velocity = velocity};
+    nodes.first[axis] = first;
+    nodes.last[axis] = last;
+    return nodes;
   };
+  const auto add = [&](const VelocityOnNodes<Dim>& nodes) { model.conditions.push_back(prescribe(nodes)); };
   const Index bottom = s.margin_below[1], top = bottom + s.cells[1];
-  model.conditions.push_back(rows("bottom", 1, 0, bottom, still));
-  NodeCondition<Dim> pin = rows("pin", 1, bottom, bottom, still);
+  add(rows("bottom", 1, 0, bottom, still));
+  VelocityOnNodes<Dim> pin = rows("pin", 1, bottom, bottom, still);
   pin.first[0] = pin.last[0] = s.margin_below[0] + s.cells[0] / 2;
   pin.axis = 0;
-  model.conditions.push_back(pin);
+  add(pin);
   if constexpr (Dim == 3) {
-    model.conditions.push_back(rows("back", 2, 0, s.margin_below[2], still));
-    model.conditions.push_back(rows("front", 2, s.margin_below[2] + s.cells[2], end[2], still));
+    add(rows("back", 2, 0, s.margin_below[2], still));
+    add(rows("front", 2, s.margin_below[2] + s.cells[2], end[2], still));
   }
   if (v.loading.platen == BiaxialCase::Platen::rigid_points) {
-    state.rigid_bodies.push_back(rigid_platen<Dim>("top", s, s.cells[1], down));
+    model.conditions.push_back(std::make_unique<RigidBody<Dim>>(rigid_platen<Dim>("top", s, s.cells[1], down)));
   } else {
-    model.conditions.push_back(rows("top", 1, top, end[1], down));
+    add(rows("top", 1, top, end[1], down));
     model.moving_grids.push_back({.axis = 1, .fixed_row = bottom, .moving_row = top, .platen = "top"});
   }
 }

@@ -2,6 +2,7 @@
 
 #include "core/analysis/depth_mean.hpp"
 #include "core/io/figure_json.hpp"
+#include "core/step/boundaries/velocity_course.hpp"
 
 #include <numeric>
 

@@ -1,5 +1,6 @@
 #include "apps/element/specimen.hpp"
 
+#include "core/step/boundaries/prescribed_velocity.hpp"
 #include "materials/element/wave_speeds.hpp"
 
 namespace riedel {
@@ -48,10 +49,9 @@ Motion motion_along(const std::string& test, int axis) {
 /// The pair of plates normal to an axis, and the nodes beyond them, which move as if the specimen went on there: a
 /// domain that reaches over the edge then sees the same gradient. The nodes between the plates go along, or are free.
 template <int Dim>
-NodeCondition<Dim> plates(const Frame<Dim>& frame, int axis, Motion motion,
-                          const std::function<double(double)>& drive) {
+VelocityOnNodes<Dim> plates(const Frame<Dim>& frame, int axis, Motion motion, const VelocityCourse& drive) {
   const Index moving = frame.first + frame.cells;
-  NodeCondition<Dim> condition{.name = "plates " + std::to_string(axis + 1), .last = frame.last_node(), .axis = axis};
+  VelocityOnNodes<Dim> condition{.name = "plates " + std::to_string(axis + 1), .last = frame.last_node(), .axis = axis};
   if (motion == Motion::held) condition.velocity = [](double) { return 0.0; };
   if (motion == Motion::driven) condition.velocity = drive;
   condition.linear = LinearMotion{.axis = axis, .fixed_row = frame.first, .moving_row = moving};
@@ -67,7 +67,7 @@ NodeCondition<Dim> plates(const Frame<Dim>& frame, int axis, Motion motion,
 /// Sheared planes stay plane and slide in proportion to their height, as in a stack of rings; they rise in proportion,
 /// too. The specimen's slanting sides fall between the nodes, so that every node takes part.
 template <int Dim>
-NodeCondition<Dim> sheared_planes(const Frame<Dim>& frame, int axis, const std::function<double(double)>& drive) {
+VelocityOnNodes<Dim> sheared_planes(const Frame<Dim>& frame, int axis, const VelocityCourse& drive) {
   return {.name = "plates " + std::to_string(axis + 1),
           .last = frame.last_node(),
           .axis = axis,
@@ -82,12 +82,13 @@ void set_boundaries(Model<Dim>& model, const Frame<Dim>& frame, const Values& v)
   for (int axis = 0; axis < Dim; ++axis) {
     const Motion motion = motion_along(v.text("test"), axis);
     const bool slides = frame.shear && axis < 2;
-    model.conditions.push_back(slides ? sheared_planes(frame, axis, drive) : plates(frame, axis, motion, drive));
+    model.conditions.push_back(
+        prescribe(slides ? sheared_planes(frame, axis, drive) : plates(frame, axis, motion, drive)));
     if (motion == Motion::held || (frame.shear && axis == 0)) continue;
     model.moving_grids.push_back({.axis = axis,
                                   .fixed_row = frame.first,
                                   .moving_row = frame.first + frame.cells,
-                                  .platen = model.conditions.back().name});
+                                  .platen = model.conditions.back()->name()});
   }
 }
 

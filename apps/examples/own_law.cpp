@@ -35,9 +35,9 @@ int main(int argc, char** argv) try {
   Values values(Keys{{"tolerance", 1e-4}, {"youngs_modulus", 2e5}, {"poissons_ratio", 0.3}, {"density", 1000.0}});
   state.bodies.push_back(make_body<2>("block", std::make_shared<Stiffening>(values), state.grid, 2,
                                       [](const Vec<2>& x) { return x[0] > 0 && x[0] < 0.4 && x[1] > 0 && x[1] < 1; }));
-  model.conditions = {smooth_wall(state.grid, "floor", 1, 0.0, Behind::lower),
-                      smooth_wall(state.grid, "left", 0, 0.0, Behind::lower),
-                      smooth_wall(state.grid, "right", 0, 0.4, Behind::upper)};
+  model.conditions.push_back(smooth_wall(state.grid, "floor", 1, 0.0, Behind::lower));
+  model.conditions.push_back(smooth_wall(state.grid, "left", 0, 0.0, Behind::lower));
+  model.conditions.push_back(smooth_wall(state.grid, "right", 0, 0.4, Behind::upper));
   model.gravity = {0.0, -9.81};
   model.step = musl_step<2>;
   model.body_forces.push_back({.per_mass = [](const Points<2>& points, Index p, double) -> Vec<2> {

@@ -1,6 +1,7 @@
 #include "apps/verify/block.hpp"
 
 #include "core/setup/fill.hpp"
+#include "core/step/boundaries/prescribed_velocity.hpp"
 #include "core/step/musl.hpp"
 
 namespace riedel {
@@ -44,15 +45,15 @@ void VerifySetup<Dim>::add_body_force(const Course<Dim>& per_mass) {
 template <int Dim>
 void VerifySetup<Dim>::add_roller(const Side& side) {
   const auto a = static_cast<std::size_t>(side.axis);
-  NodeCondition<Dim> roller{.name = (side.far ? "far side " : "near side ") + std::to_string(side.axis),
-                            .axis = side.axis,
-                            .velocity = [](double) { return 0.0; }};
+  VelocityOnNodes<Dim> roller{.name = (side.far ? "far side " : "near side ") + std::to_string(side.axis),
+                              .axis = side.axis,
+                              .velocity = [](double) { return 0.0; }};
   for (std::size_t b = 0; b < Dim; ++b) roller.last[b] = state.grid.nodes[b] - 1;
   if (side.far)
     roller.first[a] = state.grid.nodes[a] - 1 - margin;
   else
     roller.last[a] = margin;
-  model.conditions.push_back(std::move(roller));
+  model.conditions.push_back(prescribe(std::move(roller)));
 }
 
 template <int Dim>

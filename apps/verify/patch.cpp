@@ -1,5 +1,7 @@
 #include "apps/verify/patch.hpp"
 
+#include "core/step/boundaries/prescribed_velocity.hpp"
+
 #include <algorithm>
 
 namespace riedel {
@@ -22,12 +24,12 @@ Vec<Dim> hold_nodes_in(VerifySetup<Dim>& setup, const Mat<Dim>& A) {
     const double slope = A(a, b);
     // Rows between which a body stretches are walls to some schemes: the grid's ends.
     const Index still = b == a ? 0 : grid.nodes[b] / 2, last = grid.nodes[b] - 1;
-    NodeCondition<Dim> condition{.name = "all nodes",
-                                 .axis = a,
-                                 .velocity = [=, h = grid.cell[b]](double) { return slope * h * (last - still); },
-                                 .linear = LinearMotion{static_cast<int>(b), still, last}};
+    VelocityOnNodes<Dim> condition{.name = "all nodes",
+                                   .axis = a,
+                                   .velocity = [=, h = grid.cell[b]](double) { return slope * h * (last - still); },
+                                   .linear = LinearMotion{static_cast<int>(b), still, last}};
     for (std::size_t c = 0; c < Dim; ++c) condition.last[c] = grid.nodes[c] - 1;
-    setup.model.conditions.push_back(std::move(condition));
+    setup.model.conditions.push_back(prescribe(std::move(condition)));
     constant[a] = -slope * (grid.origin[b] + still * grid.cell[b]);
   }
   return constant;

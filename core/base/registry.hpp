@@ -1,4 +1,4 @@
-/// Name to factory, for everything a case can name: schemes, laws, searches, averagers.
+/// Name to factory, for everything a case can name: schemes, laws, searches, averagers, boundary conditions.
 #pragma once
 
 #include "core/base/error.hpp"

@@ -1,6 +1,7 @@
 /// Everything that a case can name.
 #pragma once
 
+#include "core/interface/boundary_condition.hpp"
 #include "core/interface/material.hpp"
 #include "core/interface/nonlocal_averager.hpp"
 #include "core/interface/shape_function.hpp"
@@ -12,6 +13,7 @@ struct CatalogueOf {
   ShapeFunctions<Dim> schemes{"scheme"};
   NeighbourSearches<Dim> searches{"search"};
   NonlocalAveragers<Dim> averagers{"averager"};
+  BoundaryConditions<Dim> boundaries{"boundary condition"};
 };
 
 struct Catalogue {

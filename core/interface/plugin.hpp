@@ -1,5 +1,5 @@
-/// Plug-ins: shared libraries that bring laws, schemes, searches or averagers of their own, and go through the same
-/// classes as the built-in ones. A plug-in is one source file that ends with, for example,
+/// Plug-ins: shared libraries that bring laws, schemes, searches, averagers or boundary conditions of their own, and go
+/// through the same classes as the built-in ones. A plug-in is one source file that ends with, for example,
 ///   RIEDEL_PLUGIN(riedel::material<Barodesy>)
 /// docs/howto/write_a_material.md goes from an equation to a run.
 #pragma once
@@ -25,7 +25,8 @@ struct Plugin {
     for (const std::size_t size :
          {sizeof(Catalogue), sizeof(Description), sizeof(Key), sizeof(Values), sizeof(MaterialBatch), sizeof(Motion),
           sizeof(MaterialReport), sizeof(StateVariable), sizeof(Points<2>), sizeof(Points<3>), sizeof(StencilGroup<2>),
-          sizeof(StencilGroup<3>), sizeof(Mat<2>), alignof(Mat<2>), sizeof(NeighbourRows)})
+          sizeof(StencilGroup<3>), sizeof(BoundaryStep<3>), sizeof(BoundaryReport<3>), sizeof(NodeBox<3>),
+          sizeof(Mat<2>), alignof(Mat<2>), sizeof(NeighbourRows)})
       mixed = mixed * 31 + static_cast<std::uint32_t>(size);
     return mixed;
   }
@@ -35,7 +36,11 @@ struct Plugin {
 /// `static Keys parameters()` if a case can set anything for it.
 template <class Entry>
 Description description_of() {
-  Description answer{.name = std::string(Entry::name), .summary = "from a plug-in", .source = ""};
+  Description answer{.name = "", .summary = "from a plug-in", .source = ""};
+  if constexpr (requires { Entry::kind; })
+    answer.name = Entry::kind; // a boundary condition's name is its user's
+  else
+    answer.name = Entry::name;
   if constexpr (requires { Entry::summary; }) answer.summary = Entry::summary;
   if constexpr (requires { Entry::source; }) answer.source = Entry::source;
   if constexpr (requires { Entry::parameters(); }) answer.parameters = Entry::parameters();
@@ -84,6 +89,21 @@ void averager(Catalogue& catalogue) {
   averager_in<Averager, 3>(catalogue);
 }
 
+template <template <int> class Condition, int Dim>
+void boundary_condition_in(Catalogue& catalogue) {
+  catalogue.in<Dim>().boundaries.add(description_of<Condition<Dim>>(),
+                                     [](const std::string& name, const NodeBox<Dim>& place, const Values& values) {
+                                       return std::make_unique<Condition<Dim>>(name, place, values);
+                                     });
+}
+
+/// Of a class that is made from a name, a place and the values of its parameters, and whose registered name is `kind`.
+template <template <int> class Condition>
+void boundary_condition(Catalogue& catalogue) {
+  boundary_condition_in<Condition, 2>(catalogue);
+  boundary_condition_in<Condition, 3>(catalogue);
+}
+
 template <auto... Add>
 void all_of(Catalogue& catalogue) {
   (Add(catalogue), ...);
@@ -92,7 +112,7 @@ void all_of(Catalogue& catalogue) {
 } // namespace riedel
 
 /// Exports a plug-in that brings what is named: material<Law>, scheme<Scheme>, neighbour_search<Search>,
-/// averager<Averager>, one or more, all from the namespace riedel.
+/// averager<Averager>, boundary_condition<Condition>, one or more, all from the namespace riedel.
 #define RIEDEL_PLUGIN(...)                                                                                             \
   extern "C" __attribute__((visibility("default")))                                                                    \
   const riedel::Plugin riedel_plugin{.enlist = riedel::all_of<__VA_ARGS__>};

@@ -87,6 +87,7 @@ void adopt(const CatalogueOf<Dim>& brought, CatalogueOf<Dim>& all, const std::st
   adopt(brought.schemes, all.schemes, plugin);
   adopt(brought.searches, all.searches, plugin);
   adopt(brought.averagers, all.averagers, plugin);
+  adopt(brought.boundaries, all.boundaries, plugin);
 }
 
 template <class Make>
@@ -128,6 +129,7 @@ LoadedPlugin load_plugin(const std::filesystem::path& path, Catalogue& catalogue
   append_names(brought.in_2d.schemes, loaded.brings);
   append_names(brought.in_2d.searches, loaded.brings);
   append_names(brought.in_2d.averagers, loaded.brings);
+  append_names(brought.in_2d.boundaries, loaded.brings);
   return loaded;
 }
 

@@ -23,31 +23,46 @@ Index row_at(const Grid<Dim>& grid, const std::string& wall, int axis, double pl
                    line(std::ceil(rows)));
 }
 
+/// The nodes of the box do not move along `axis`.
+template <int Dim>
+Boundary<Dim> fixed(std::string name, const NodeBox<Dim>& nodes, int axis) {
+  return prescribe<Dim>(
+      {.name = std::move(name), .first = nodes.first, .last = nodes.last, .axis = axis, .velocity = [](double) {
+         return 0.0;
+       }});
+}
+
 } // namespace
 
 template <int Dim>
-NodeCondition<Dim> smooth_wall(const Grid<Dim>& grid, std::string name, int axis, double place, Behind behind) {
-  NodeCondition<Dim> wall{.name = std::move(name), .axis = axis, .velocity = [](double) { return 0.0; }};
-  for (std::size_t a = 0; a < Dim; ++a) wall.last[a] = grid.nodes[a] - 1;
-  const Index row = row_at(grid, wall.name, axis, place);
-  (behind == Behind::lower ? wall.last : wall.first)[static_cast<std::size_t>(axis)] = row;
-  return wall;
+NodeBox<Dim> side(const Grid<Dim>& grid, const std::string& name, int axis, double place, Behind behind) {
+  NodeBox<Dim> nodes{.axis = axis, .behind = behind};
+  for (std::size_t a = 0; a < Dim; ++a) nodes.last[a] = grid.nodes[a] - 1;
+  const Index row = row_at(grid, name, axis, place);
+  (behind == Behind::lower ? nodes.last : nodes.first)[static_cast<std::size_t>(axis)] = row;
+  return nodes;
 }
 
 template <int Dim>
-std::vector<NodeCondition<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place,
-                                           Behind behind) {
-  std::vector<NodeCondition<Dim>> all;
-  for (int held = 0; held < Dim; ++held) {
-    all.push_back(smooth_wall(grid, name + "_" + "xyz"[held], axis, place, behind));
-    all.back().axis = held;
-  }
+Boundary<Dim> smooth_wall(const Grid<Dim>& grid, std::string name, int axis, double place, Behind behind) {
+  const NodeBox<Dim> nodes = side(grid, name, axis, place, behind);
+  return fixed(std::move(name), nodes, axis);
+}
+
+template <int Dim>
+std::vector<Boundary<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place,
+                                      Behind behind) {
+  const NodeBox<Dim> nodes = side(grid, name, axis, place, behind);
+  std::vector<Boundary<Dim>> all;
+  for (int held = 0; held < Dim; ++held) all.push_back(fixed(name + "_" + "xyz"[held], nodes, held));
   return all;
 }
 
-template NodeCondition<2> smooth_wall<2>(const Grid<2>&, std::string, int, double, Behind);
-template NodeCondition<3> smooth_wall<3>(const Grid<3>&, std::string, int, double, Behind);
-template std::vector<NodeCondition<2>> rough_wall<2>(const Grid<2>&, const std::string&, int, double, Behind);
-template std::vector<NodeCondition<3>> rough_wall<3>(const Grid<3>&, const std::string&, int, double, Behind);
+template NodeBox<2> side<2>(const Grid<2>&, const std::string&, int, double, Behind);
+template NodeBox<3> side<3>(const Grid<3>&, const std::string&, int, double, Behind);
+template Boundary<2> smooth_wall<2>(const Grid<2>&, std::string, int, double, Behind);
+template Boundary<3> smooth_wall<3>(const Grid<3>&, std::string, int, double, Behind);
+template std::vector<Boundary<2>> rough_wall<2>(const Grid<2>&, const std::string&, int, double, Behind);
+template std::vector<Boundary<3>> rough_wall<3>(const Grid<3>&, const std::string&, int, double, Behind);
 
 } // namespace riedel

@@ -48,6 +48,12 @@ struct SmoothingNodes {
   }
 };
 
+/// Power of all forces on the nodes, Σ_i m_i a_i·v_i [W or W/m].
+struct NodePower {
+  double start = 0.0; ///< with the velocities that the strains before came from
+  double end = 0.0;   ///< with those that the strains after come from
+};
+
 template <int Dim>
 struct Nodes {
   AlignedVector<NodeSums<Dim>> sums;

@@ -71,7 +71,6 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
     // Thick enough for the support on both sides and for points to drift by two rows.
     sort_points(state, body, 6 + 2 * model.scheme->margin());
   }
-  for (RigidBody<Dim>& body : state.rigid_bodies) body.stencils.resize(body.points.size(), model.scheme->max_nodes());
 }
 
 template <int Dim>

@@ -1,8 +1,8 @@
 /// What does not change in a run.
 #pragma once
 
-#include "core/interface/shape_function.hpp"
-#include "core/step/boundary.hpp"
+#include "core/interface/boundary_condition.hpp"
+#include "core/step/state.hpp"
 
 #include <optional>
 
@@ -45,7 +45,7 @@ constexpr bool is_affine(VelocityTransfer transfer) {
 struct MovingGrid {
   int axis = 1;
   Index fixed_row = 0, moving_row = 0;
-  std::string platen; ///< the condition that moves it
+  std::string platen; ///< name of the condition whose speed it follows
 };
 
 /// A traction that points on a surface carry: on each outer face, wherever it has come and however it lies now.
@@ -76,10 +76,10 @@ struct Model {
   std::shared_ptr<const ShapeFunction<Dim>> scheme;
   StepFunction<Dim> step = nullptr;
   ObjectiveRate objective_rate = ObjectiveRate::jaumann;
-  std::vector<NodeCondition<Dim>> conditions;
-  std::vector<MovingGrid> moving_grids; ///< one for an axis at most
-  Vec<Dim> gravity = Vec<Dim>::Zero();  ///< [m/s²]
-  double confining_pressure = 0.0;      ///< p of the virtual stress −p I that acts outside the bodies [Pa]
+  std::vector<Boundary<Dim>> conditions; ///< they act in this order
+  std::vector<MovingGrid> moving_grids;  ///< one for an axis at most
+  Vec<Dim> gravity = Vec<Dim>::Zero();   ///< [m/s²]
+  double confining_pressure = 0.0;       ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfaceTraction<Dim>> surface_tractions;
   std::vector<BodyForce<Dim>> body_forces;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster

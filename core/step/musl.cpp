@@ -1,5 +1,6 @@
 #include "core/step/musl.hpp"
 
+#include "core/step/boundary.hpp"
 #include "core/step/grid_to_points.hpp"
 #include "core/step/locking.hpp"
 #include "core/step/stress_filter.hpp"
@@ -16,10 +17,10 @@ void musl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   find_cells(state, model);           // F-bar alone, before the points move
   filter_stresses(state, model, dt);  // now and then, if asked for: σ_p and ln J_p without what no node sees
   advance_momentum(state, model, dt); // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
-  hold_nodes(state, end, dt);         // boundaries, reactions
+  apply_boundaries(state, model, dt); // boundaries, reactions
   filter_velocities(state, model);    // XPIC alone: v_p without what the grid does not see
   remap_velocity(state, model, dt);   // v_p, then v_i = Σ_p N_ip m_p v_p / m_i
-  hold_velocities(state, end);
+  apply_boundary_velocities(state, model, end);
   deform_and_move(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p, x_p
   average_dilatation(state, model, dt); // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
   update_stress(state, model, dt);      // d*, rotation, law

@@ -1,5 +1,6 @@
 #include "core/step/simulation.hpp"
 
+#include "core/step/boundary.hpp"
 #include "core/step/grid_to_points.hpp"
 #include "core/step/law_failure.hpp"
 #include "core/step/loads.hpp"
@@ -48,6 +49,13 @@ void check_model(const Model<Dim>& model, const Grid<Dim>& grid) {
                        ", " + exact_text(grid.cell[a]) + " m apart; allowed: 2 nodes and more, more than 0 m apart");
 }
 
+template <int Dim>
+void check_moving_grids(const Model<Dim>& model) {
+  for (const MovingGrid& moving : model.moving_grids)
+    if (std::ranges::none_of(model.conditions, [&](const auto& c) { return c->name() == moving.platen; }))
+      throw InputError("the grid is to follow '" + moving.platen + "'; no boundary condition is called so");
+}
+
 /// A point without mass, volume or extent would be divided by.
 template <int Dim>
 void check_points(const State<Dim>& state) {
@@ -92,7 +100,8 @@ Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::mo
     throw InputError(
         "the scheme does not offer the transfer apic: it puts a point on a line of nodes on that line alone");
   prepare_points(state_, model_);
-  bind_conditions(state_, model_.conditions);
+  bind_boundaries(state_, model_);
+  check_moving_grids(model_);
   locate_points(state_, model_);
   check_inside(state_, model_);
   survey_bodies();
@@ -106,12 +115,12 @@ void Simulation<Dim>::step() {
   if (state_.step % steps_between_surveys == 0) survey_bodies();
   const double dt = time_step_;
   locate_points(state_, model_);
-  find_rigid_nodes(state_, *model_.scheme);
+  follow_boundaries(state_, model_);
   model_.step(state_, model_, dt);
   state_.node_work += 0.5 * dt * (state_.node_power.start + state_.node_power.end);
   move_scheme_columns(state_, model_, dt);
   state_.load_work += surface_work(state_, model_, dt) + body_work(state_, model_, dt);
-  move_rigid_points(state_, state_.time + dt, dt);
+  move_boundaries(model_, state_.time + dt, dt);
   follow_platens(dt);
   state_.time += dt;
   ++state_.step;
@@ -166,6 +175,7 @@ Energies Simulation<Dim>::energies() const {
   Energies now{.kinetic = kinetic_energy(),
                .internal = state_.internal_work,
                .external = state_.boundary_work + state_.load_work + potential_of_loads() - potential_at_start_,
+               .dissipated = state_.boundary_loss,
                .filter = state_.filter_work};
   const double gain = now.kinetic - kinetic_at_start_;
   now.transfer = state_.node_work - gain;
@@ -183,10 +193,10 @@ double Simulation<Dim>::kinetic_energy() const {
 }
 
 template <int Dim>
-const HeldNodes<Dim>& Simulation<Dim>::held(std::string_view name) const {
-  for (const HeldNodes<Dim>& held : state_.held)
-    if (held.name == name) return held;
-  throw std::out_of_range("no held nodes are called '" + std::string(name) + "'");
+const BoundaryCondition<Dim>& Simulation<Dim>::boundary(std::string_view name) const {
+  for (const Boundary<Dim>& condition : model_.conditions)
+    if (condition->name() == name) return *condition;
+  throw std::out_of_range("no boundary condition is called '" + std::string(name) + "'");
 }
 
 template class Simulation<2>;

@@ -8,8 +8,10 @@ namespace riedel {
 /// Energies at one moment [J, or J/m in plane strain].
 struct Energies {
   double kinetic = 0.0;
-  double internal = 0.0;    ///< work of the stresses since the start
-  double external = 0.0;    ///< work of platens, gravity, confining pressure and surface loads since the start
+  double internal = 0.0; ///< work of the stresses since the start
+  double external = 0.0; ///< work of boundaries, gravity, confining pressure and surface loads since the start
+  double dissipated =
+      0.0; ///< work of the boundaries' motion that was lost to friction, or a dashpot, between them and the material
   double transfer = 0.0;    ///< work of all forces on the nodes that did not become motion of the points: damping, loss
   double filter = 0.0;      ///< part of the internal work that the stress filter's own strains did, and no force
   double unaccounted = 0.0; ///< external + filter − internal − transfer − gain of kinetic energy
@@ -33,8 +35,10 @@ public:
   [[nodiscard]] double crossing_time() const { return crossing_time_; }
   [[nodiscard]] std::int64_t out_of_bounds() const { return out_of_bounds_; } ///< most points at once so far
   [[nodiscard]] Energies energies() const;
-  /// The held nodes called `name`: their velocity and the force that it took in the last step.
-  [[nodiscard]] const HeldNodes<Dim>& held(std::string_view name) const;
+  /// The boundary condition called `name`. Throws std::out_of_range.
+  [[nodiscard]] const BoundaryCondition<Dim>& boundary(std::string_view name) const;
+  /// Its velocity, and the force that it took in the last step.
+  [[nodiscard]] const BoundaryReport<Dim>& held(std::string_view name) const { return boundary(name).report(); }
 
 private:
   void survey_bodies();

@@ -30,51 +30,6 @@ struct Body {
   AlignedVector<Few<8>> fields;  ///< working space of the stress filter: a row for each point
 };
 
-/// A direction that is none of the axes: an index of the axis that says so.
-constexpr int oblique = -1;
-
-/// A rigid block of points that moves through a fixed grid and imposes its velocity, along one direction, on every node
-/// its stencils touch: the paper's platen. Nodes enter and leave it by whole cells, so that its force shows a
-/// saw-tooth.
-template <int Dim>
-struct RigidBody {
-  std::string name;
-  Points<Dim> points{};
-  Stencils<Dim> stencils{};
-  int axis = 0;
-  Vec<Dim> direction = Vec<Dim>::Zero();         ///< of unit length, where the axis is `oblique`
-  std::function<double(double time)> velocity{}; ///< [m/s]
-};
-
-/// Nodes whose velocities along one direction are one motion's: each its share of it.
-template <int Dim>
-struct HeldNodes {
-  std::string name;
-  int axis = 0;
-  Vec<Dim> direction = Vec<Dim>::Zero(); ///< of unit length, where the axis is `oblique`
-  std::vector<Index> nodes;
-  std::vector<double> shares{};                  ///< by node; empty: all 1
-  std::function<double(double time)> velocity{}; ///< [m/s]; none: that of the nodes' momentum
-  double speed = 0.0;                            ///< velocity in this step [m/s]
-  double reaction = 0.0;                         ///< force on the material along the direction in this step [N or N/m]
-
-  [[nodiscard]] double share(std::size_t k) const { return shares.empty() ? 1.0 : shares[k]; }
-  [[nodiscard]] double along(const Vec<Dim>& v) const { return axis == oblique ? direction.dot(v) : v[axis]; }
-  /// Adds to the component along the direction; `set` gives it a value, along an axis to the bit.
-  void add(Vec<Dim>& v, double change) const {
-    if (axis == oblique)
-      v += change * direction;
-    else
-      v[axis] += change;
-  }
-  void set(Vec<Dim>& v, double value) const {
-    if (axis == oblique)
-      v += (value - direction.dot(v)) * direction;
-    else
-      v[axis] = value;
-  }
-};
-
 /// A block's share of what the stress update tells.
 struct StressShare {
   MaterialReport report;
@@ -86,12 +41,6 @@ template <int Dim>
 struct FieldMoments {
   std::array<Few<8>, Dim + 1> fields;
   Eigen::Matrix<double, Dim + 1, Dim + 1> weights; ///< Σ V_p (1, x, y …) ⊗ (1, x, y …)
-};
-
-/// Power of all forces on the nodes, Σ_i m_i a_i·v_i [W or W/m].
-struct NodePower {
-  double start = 0.0; ///< with the velocities that the strains before came from
-  double end = 0.0;   ///< with those that the strains after come from
 };
 
 /// What the points of a body in one cell add up to.
@@ -107,10 +56,9 @@ struct State {
   Grid<Dim> grid;
   Nodes<Dim> nodes;
   std::vector<Body<Dim>> bodies;
-  std::vector<RigidBody<Dim>> rigid_bodies;
-  std::vector<HeldNodes<Dim>> held; ///< one per node condition, then one per rigid body
 
-  double boundary_work = 0.0; ///< done by driven boundaries since the start [J or J/m]
+  double boundary_work = 0.0; ///< done by boundaries since the start [J or J/m]
+  double boundary_loss = 0.0; ///< lost between boundaries and material since the start [J or J/m]
   double load_work = 0.0;     ///< done by surface tractions and body forces since the start [J or J/m]
   double internal_work = 0.0; ///< ∫ σ:D dV dt since the start [J or J/m]
   double filter_work = 0.0;   ///< part of it that the stress filter's own strains did [J or J/m]

@@ -1,5 +1,6 @@
 #include "core/step/transfer.hpp"
 
+#include "core/step/boundary.hpp"
 #include "core/step/kernels/point_shares.hpp"
 #include "core/step/loads.hpp"
 #include "core/step/transfers/affine.hpp"
@@ -79,6 +80,7 @@ void map_forces(State<Dim>& state, const Model<Dim>& model) {
 template <int Dim>
 void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
+  remember_velocities(state, model);
   const double least = least_mass(state, model);
   const bool first = state.step == 0; // no strains before
   state.node_power = sum_over_nodes(state, [&](Index i, NodePower& power) {

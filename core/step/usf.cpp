@@ -1,5 +1,6 @@
 #include "core/step/usf.hpp"
 
+#include "core/step/boundary.hpp"
 #include "core/step/grid_to_points.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/locking.hpp"
@@ -16,14 +17,14 @@ void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   map_mass_and_momentum(state, model); // m_i, (mv)_i, v_i
   find_cells(state, model);            // F-bar alone
   filter_stresses(state, model, dt);   // now and then, if asked for: σ_p and ln J_p without what no node sees
-  hold_velocities(state, state.time);
+  apply_boundary_velocities(state, model, state.time);
   const double power_before = state.node_power.end; // of the last forces with the velocities of these strains
   update_kinematics(state, model, dt);              // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   average_dilatation(state, model, dt);             // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
   update_stress(state, model, dt);                  // d*, rotation, law
   map_forces(state, model);                         // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
   advance_momentum(state, model, dt);               // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
-  hold_nodes(state, state.time + dt, dt);           // boundaries, reactions
+  apply_boundaries(state, model, dt);               // boundaries, reactions
   filter_velocities(state, model);                  // XPIC alone: v_p without what the grid does not see
   state.node_power.end = power_before;
   move_points(state, model, dt); // v_p, x_p

@@ -205,6 +205,20 @@ Offences names_in_core(const SourceFile& file, const std::vector<std::string>& n
   return found;
 }
 
+Offences kinds_of_boundaries_known(const SourceFile& file, const std::vector<SourceFile>& files) {
+  Offences found;
+  for (const SourceFile& kind : files) {
+    const std::string room = "core/step/boundaries/", name = room + stem(kind.path);
+    if (kind.path != name + ".hpp" || kind.text.find("std::string_view kind = ") == std::string::npos) continue;
+    const bool own = file.path == name + ".cpp" || file.path == room + "register.cpp";
+    if (own || !file.path.starts_with("core/") || file.path.starts_with("core/setup/")) continue;
+    for_each_include(file.text, '"', [&](const std::string& included, int line) {
+      if (included == kind.path) found.push_back(place(file, line) + "knows a kind of boundary condition: " + included);
+    });
+  }
+  return found;
+}
+
 Offences files_too_long(const SourceFile& file) {
   const auto lines = std::ranges::count(file.text, '\n');
   const int allowed = file.path.ends_with(".cpp") ? 280 : 140;

@@ -25,6 +25,9 @@ Offences libraries_out_of_place(const SourceFile& file);
 std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files);
 Offences names_in_core(const SourceFile& file, const std::vector<std::string>& names);
 
+/// In core, outside core/setup, a kind of boundary condition is included by its own source and the register alone.
+Offences kinds_of_boundaries_known(const SourceFile& file, const std::vector<SourceFile>& files);
+
 /// Headers of at most 140 lines, sources of at most 280.
 Offences files_too_long(const SourceFile& file);
 

@@ -45,6 +45,14 @@ TEST(House, NamesNoSchemeAndNoLawInCore) {
   EXPECT_THAT(offences([&](const SourceFile& file) { return names_in_core(file, names); }), IsEmpty());
 }
 
+TEST(House, KnowsAKindOfBoundaryConditionInItsPairOfFilesAndTheRegisterAlone) {
+  EXPECT_THAT(offences([](const SourceFile& file) { return kinds_of_boundaries_known(file, house()); }), IsEmpty());
+  for (const std::string name : {"prescribed_velocity", "rigid_body"})
+    EXPECT_THAT(kinds_of_boundaries_known(
+                    {"core/step/musl.cpp", "#include \"core/step/boundaries/" + name + ".hpp\"\n"}, house()),
+                testing::SizeIs(1));
+}
+
 TEST(House, HasShortFiles) { EXPECT_THAT(offences(files_too_long), IsEmpty()); }
 
 TEST(House, HasNoUnfinishedWork) { EXPECT_THAT(offences(unfinished_work), IsEmpty()); }

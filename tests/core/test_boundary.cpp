@@ -19,8 +19,9 @@ double down(double) { return -2.0; }
 /// A grid of 4 × 3 nodes, each with a mass, and a velocity reached from rest in one step.
 struct HeldGrid {
   State<2> state;
+  Model<2> model;
 
-  explicit HeldGrid(const std::vector<NodeCondition<2>>& conditions) {
+  explicit HeldGrid(std::vector<VelocityOnNodes<2>> conditions) {
     state.grid.nodes = {4, 3};
     state.nodes.resize(12);
     for (Index i = 0; i < 12; ++i) {
@@ -28,9 +29,21 @@ struct HeldGrid {
       state.nodes.motion[i].velocity = Vec<2>(0.1 * i, 1.0 - 0.3 * i);
       state.nodes.motion[i].acceleration = state.nodes.motion[i].velocity / dt;
     }
-    bind_conditions(state, conditions);
+    state.time = end - dt;
+    model.scheme = scheme<2>("linear");
+    model.conditions = prescribe_each(std::move(conditions));
+    bind_boundaries(state, model);
   }
+  void apply() { apply_boundaries(state, model, dt); }
+  [[nodiscard]] const BoundaryReport<2>& report(std::size_t c = 0) const { return model.conditions[c]->report(); }
 };
+
+/// Of a condition on this grid.
+std::vector<Index> nodes_of(const Grid<2>& grid, const VelocityOnNodes<2>& given) {
+  const Boundary<2> condition = prescribe(given);
+  condition->bind(grid, *scheme<2>("linear"));
+  return condition->nodes();
+}
 
 TEST(RampedVelocity, RisesSmoothlyFromZeroToItsValue) {
   const auto v = ramped(-0.1, 4.0);
@@ -47,9 +60,9 @@ TEST(RampedVelocity, RisesSmoothlyFromZeroToItsValue) {
 TEST(RampedVelocity, IsThereAtOnceWithoutARamp) { EXPECT_EQ(ramped(0.1, 0.0)(0.0), 0.1); }
 
 TEST(Walls, BeginWhereAConditionHoldsEverythingUpToTheGridsEnd) {
-  const auto walls = [](std::vector<NodeCondition<2>> conditions) { return HeldGrid(conditions).state.grid.walls; };
+  const auto walls = [](std::vector<VelocityOnNodes<2>> conditions) { return HeldGrid(conditions).state.grid.walls; };
   const auto along_y = [](Index first, Index last) {
-    return NodeCondition<2>{.name = "", .first = {0, first}, .last = {3, last}, .axis = 1, .velocity = still};
+    return VelocityOnNodes<2>{.name = "", .first = {0, first}, .last = {3, last}, .axis = 1, .velocity = still};
   };
   EXPECT_EQ(walls({})[1].first, Walls::none_below);
   EXPECT_EQ(walls({along_y(0, 1)})[1].first, 1);
@@ -59,18 +72,18 @@ TEST(Walls, BeginWhereAConditionHoldsEverythingUpToTheGridsEnd) {
   EXPECT_EQ(walls({along_y(2, 2)})[1].last, 2);
   EXPECT_EQ(walls({along_y(1, 1)})[1].first, Walls::none_below) << "a row in the middle of the grid";
   EXPECT_EQ(walls({along_y(0, 2)})[1].first, Walls::none_below) << "the whole grid held";
-  NodeCondition<2> sliding = along_y(0, 1);
+  VelocityOnNodes<2> sliding = along_y(0, 1);
   sliding.axis = 0;
   EXPECT_EQ(walls({sliding})[1].first, Walls::none_below) << "held along the row, not across";
-  NodeCondition<2> pin = along_y(0, 1);
+  VelocityOnNodes<2> pin = along_y(0, 1);
   pin.first[0] = 1;
   EXPECT_EQ(walls({pin})[1].first, Walls::none_below) << "part of a row";
 }
 
-TEST(NodeCondition, TakesTheNodesOfABoxBothCornersIncluded) {
+TEST(PrescribedVelocity, TakesTheNodesOfABoxBothCornersIncluded) {
   const HeldGrid held({});
   const auto nodes = [&](Counts<2> first, Counts<2> last) {
-    return nodes_of<2>(held.state.grid, {.name = "", .first = first, .last = last, .velocity = still});
+    return nodes_of(held.state.grid, {.name = "", .first = first, .last = last, .velocity = still});
   };
   EXPECT_THAT(nodes({1, 0}, {2, 1}), UnorderedElementsAre(1, 2, 5, 6));
   EXPECT_THAT(nodes({0, 2}, {3, 2}), UnorderedElementsAre(8, 9, 10, 11));
@@ -78,21 +91,22 @@ TEST(NodeCondition, TakesTheNodesOfABoxBothCornersIncluded) {
 
   Grid<3> grid;
   grid.nodes = {2, 3, 4};
-  EXPECT_THAT(nodes_of<3>(grid, {.name = "", .first = {1, 0, 2}, .last = {1, 2, 2}, .velocity = still}),
-              UnorderedElementsAre(13, 15, 17));
+  const Boundary<3> row = prescribe<3>({.name = "", .first = {1, 0, 2}, .last = {1, 2, 2}, .velocity = still});
+  row->bind(grid, *scheme<3>("linear"));
+  EXPECT_THAT(row->nodes(), UnorderedElementsAre(13, 15, 17));
 }
 
-TEST(NodeCondition, LeavesOutABoxInside) {
+TEST(PrescribedVelocity, LeavesOutABoxInside) {
   const HeldGrid held({});
-  EXPECT_THAT(nodes_of<2>(held.state.grid,
-                          {.name = "", .last = {3, 2}, .velocity = still, .but_for = {{Counts<2>{0, 1}, {2, 1}}}}),
+  EXPECT_THAT(nodes_of(held.state.grid,
+                       {.name = "", .last = {3, 2}, .velocity = still, .but_for = {{Counts<2>{0, 1}, {2, 1}}}}),
               UnorderedElementsAre(0, 1, 2, 3, 7, 8, 9, 10, 11));
 }
 
-TEST(HeldNodes, OfALinearMotionGetTheirShareBeyondItsRowsToo) {
+TEST(CommonMotion, OfALinearMotionGetTheirShareBeyondItsRowsToo) {
   const HeldGrid given({});
   HeldGrid held({{.name = "x", .last = {3, 2}, .velocity = down, .linear = LinearMotion{0, 1, 3}}});
-  hold_nodes(held.state, end, dt);
+  held.apply();
   double force = 0.0;
   for (Index i = 0; i < 12; ++i) {
     const double share = (i % 4 - 1) / 2.0;
@@ -100,39 +114,39 @@ TEST(HeldNodes, OfALinearMotionGetTheirShareBeyondItsRowsToo) {
     EXPECT_EQ(held.state.nodes.motion[i].velocity[1], given.state.nodes.motion[i].velocity[1]) << i;
     force += share * (1.0 + i) * (-2.0 * share - given.state.nodes.motion[i].velocity[0]) / dt;
   }
-  EXPECT_NEAR(held.state.held[0].reaction, force, 1e-12 * std::abs(force));
+  EXPECT_NEAR(held.report().reaction, force, 1e-12 * std::abs(force));
   EXPECT_NEAR(held.state.boundary_work, force * -2.0 * dt, 1e-12 * std::abs(force)) << "the force goes with the motion";
 }
 
-TEST(HeldNodes, WithoutAGivenVelocityKeepTheirMomentumAlongTheMotion) {
-  const std::vector<NodeCondition<2>> plate{
+TEST(CommonMotion, WithoutAGivenVelocityKeepTheirMomentumAlongTheMotion) {
+  const std::vector<VelocityOnNodes<2>> plate{
       {.name = "plate", .last = {3, 2}, .axis = 1, .linear = LinearMotion{1, 0, 2}}};
   const HeldGrid given({});
   HeldGrid held(plate);
-  hold_nodes(held.state, end, dt);
+  held.apply();
   double momentum = 0.0, mass = 0.0;
   for (Index i = 0; i < 12; ++i) {
     const double share = (i / 4) / 2.0;
     momentum += share * (1.0 + i) * given.state.nodes.motion[i].velocity[1];
     mass += share * share * (1.0 + i);
   }
-  EXPECT_NEAR(held.state.held[0].speed, momentum / mass, 1e-14);
-  EXPECT_NEAR(held.state.held[0].reaction, 0.0, 1e-11 * mass / dt);
+  EXPECT_NEAR(held.report().speed, momentum / mass, 1e-14);
+  EXPECT_NEAR(held.report().reaction, 0.0, 1e-11 * mass / dt);
   EXPECT_NEAR(held.state.boundary_work, 0.0, 1e-12);
-  EXPECT_EQ(held.state.nodes.motion[11].velocity[1], held.state.held[0].speed);
-  EXPECT_EQ(held.state.nodes.motion[6].velocity[1], 0.5 * held.state.held[0].speed);
+  EXPECT_EQ(held.state.nodes.motion[11].velocity[1], held.report().speed);
+  EXPECT_EQ(held.state.nodes.motion[6].velocity[1], 0.5 * held.report().speed);
   EXPECT_EQ(held.state.nodes.motion[2].velocity[1], 0.0);
 
   HeldGrid massless(plate);
   for (Index i = 0; i < 12; ++i) massless.state.nodes.sums[i].mass = 0.0;
-  hold_nodes(massless.state, end, dt);
-  EXPECT_EQ(massless.state.held[0].speed, 0.0);
+  massless.apply();
+  EXPECT_EQ(massless.report().speed, 0.0);
 }
 
-TEST(HeldNodes, GetTheirVelocityAlongOneAxisAndAnAccelerationThatLeadsToIt) {
+TEST(CommonMotion, GetTheirVelocityAlongOneAxisAndAnAccelerationThatLeadsToIt) {
   HeldGrid held({{.name = "top", .first = {0, 2}, .last = {3, 2}, .axis = 1, .velocity = down}});
   const AlignedVector<NodeMotion<2>> before = held.state.nodes.motion;
-  hold_nodes(held.state, end, dt);
+  held.apply();
   for (Index i = 0; i < 12; ++i) {
     const NodeMotion<2>& motion = held.state.nodes.motion[i];
     EXPECT_EQ(motion.velocity[0], before[i].velocity[0]);
@@ -142,105 +156,81 @@ TEST(HeldNodes, GetTheirVelocityAlongOneAxisAndAnAccelerationThatLeadsToIt) {
   }
 }
 
-TEST(HeldNodes, TellTheChangeOfMomentumOverTheStepAsReactionAndItsWork) {
+TEST(CommonMotion, TellTheChangeOfMomentumOverTheStepAsReactionAndItsWork) {
   HeldGrid held({{.name = "top", .first = {0, 2}, .last = {3, 2}, .axis = 1, .velocity = down}});
   double free = 0.0, mass = 0.0;
   for (Index i = 8; i < 12; ++i) {
     free += held.state.nodes.sums[i].mass * held.state.nodes.motion[i].velocity[1];
     mass += held.state.nodes.sums[i].mass;
   }
-  hold_nodes(held.state, end, dt);
+  held.apply();
   const double force = (mass * -2.0 - free) / dt;
-  EXPECT_NEAR(held.state.held[0].reaction, force, 1e-12 * std::abs(force));
+  EXPECT_NEAR(held.report().reaction, force, 1e-12 * std::abs(force));
   EXPECT_NEAR(held.state.boundary_work, force * -2.0 * dt, 1e-12 * std::abs(force));
-  hold_nodes(held.state, end, dt);
-  EXPECT_EQ(held.state.held[0].reaction, 0.0) << "of the present step alone";
+  held.apply();
+  EXPECT_EQ(held.report().reaction, 0.0) << "of the present step alone";
 }
 
-TEST(HeldNodes, AskTheirVelocityForTheTimeGiven) {
+TEST(CommonMotion, AskTheirVelocityForTheTimeGiven) {
   HeldGrid held({{.name = "top", .first = {0, 2}, .last = {3, 2}, .axis = 0, .velocity = [](double t) { return t; }}});
-  hold_nodes(held.state, end, dt);
+  held.apply();
   EXPECT_EQ(held.state.nodes.motion[9].velocity[0], end);
-  hold_velocities(held.state, 3.0);
+  apply_boundary_velocities(held.state, held.model, 3.0);
   EXPECT_EQ(held.state.nodes.motion[9].velocity[0], 3.0);
 }
 
-TEST(HeldNodes, OfTwoConditionsAreHeldAlongBothAxesWithAReactionEach) {
-  const NodeCondition<2> bottom{.name = "bottom", .first = {0, 0}, .last = {3, 0}, .axis = 1, .velocity = still},
+TEST(CommonMotion, OfTwoConditionsAreHeldAlongBothAxesWithAReactionEach) {
+  const VelocityOnNodes<2> bottom{.name = "bottom", .first = {0, 0}, .last = {3, 0}, .axis = 1, .velocity = still},
       pin{.name = "pin", .first = {1, 0}, .last = {1, 0}, .axis = 0, .velocity = still};
   HeldGrid both({bottom, pin}), alone({bottom});
   const double pinned = -both.state.nodes.sums[1].mass * both.state.nodes.motion[1].velocity[0] / dt;
-  hold_nodes(both.state, end, dt);
-  hold_nodes(alone.state, end, dt);
+  both.apply();
+  alone.apply();
   EXPECT_EQ(both.state.nodes.motion[1].velocity, Vec<2>(0, 0));
   EXPECT_NEAR(both.state.nodes.motion[2].velocity[0], 0.2, 1e-15) << "only one node is pinned";
-  EXPECT_NEAR(both.state.held[1].reaction, pinned, 1e-12 * std::abs(pinned));
-  EXPECT_EQ(both.state.held[0].reaction, alone.state.held[0].reaction);
+  EXPECT_NEAR(both.report(1).reaction, pinned, 1e-12 * std::abs(pinned));
+  EXPECT_EQ(both.report().reaction, alone.report().reaction);
 }
 
-TEST(HeldNodes, OfTwoConditionsThatOverlapAreCountedOnce) {
-  const NodeCondition<2> left{.name = "left", .first = {0, 2}, .last = {2, 2}, .axis = 1, .velocity = down},
+TEST(CommonMotion, OfTwoConditionsThatOverlapAreCountedOnce) {
+  const VelocityOnNodes<2> left{.name = "left", .first = {0, 2}, .last = {2, 2}, .axis = 1, .velocity = down},
       right{.name = "right", .first = {1, 2}, .last = {3, 2}, .axis = 1, .velocity = down},
       whole{.name = "whole", .first = {0, 2}, .last = {3, 2}, .axis = 1, .velocity = down};
   HeldGrid two({left, right}), one({whole});
-  hold_nodes(two.state, end, dt);
-  hold_nodes(one.state, end, dt);
-  const double sum = two.state.held[0].reaction + two.state.held[1].reaction;
-  EXPECT_NEAR(sum, one.state.held[0].reaction, 1e-12 * std::abs(sum));
+  two.apply();
+  one.apply();
+  const double sum = two.report().reaction + two.report(1).reaction;
+  EXPECT_NEAR(sum, one.report().reaction, 1e-12 * std::abs(sum));
 }
 
-TEST(HeldNodes, KeepTheirAccelerationWhenVelocitiesAloneAreSet) {
+TEST(CommonMotion, KeepTheirAccelerationWhenVelocitiesAloneAreSet) {
   HeldGrid held({{.name = "top", .first = {0, 2}, .last = {3, 2}, .axis = 1, .velocity = down}});
   const Vec<2> before = held.state.nodes.motion[9].acceleration;
-  hold_velocities(held.state, end);
+  apply_boundary_velocities(held.state, held.model, end);
   EXPECT_EQ(held.state.nodes.motion[9].velocity[1], -2.0);
   EXPECT_EQ(held.state.nodes.motion[9].acceleration, before);
-  EXPECT_EQ(held.state.held[0].reaction, 0.0);
+  EXPECT_EQ(held.report().reaction, 0.0);
 }
 
-/// Two rigid points above a grid of 4 × 4 cells.
-struct RigidPair {
-  State<2> state;
-  std::shared_ptr<const ShapeFunction<2>> shape = scheme<2>("linear");
-
-  RigidPair() {
-    state.grid = grid_of<2>({4, 4}, 1.0, 0);
-    state.nodes.resize(state.grid.node_count());
-    RigidBody<2> platen{.name = "platen", .axis = 1, .velocity = down};
-    platen.points.resize(2, 0);
-    for (const Index p : {0, 1}) {
-      platen.points.position[0][p] = 1.5 + p;
-      platen.points.position[1][p] = 3.25;
-    }
-    state.rigid_bodies.push_back(std::move(platen));
-    state.rigid_bodies[0].stencils.resize(2, shape->max_nodes());
-    bind_conditions<2>(state, {{.name = "bottom", .last = {4, 0}, .axis = 1, .velocity = still}});
-  }
-};
-
-TEST(RigidBody, HoldsEachNodeThatItsPointsTouchOnce) {
-  RigidPair pair;
-  find_rigid_nodes(pair.state, *pair.shape);
-  ASSERT_EQ(pair.state.held.size(), 2U);
-  EXPECT_EQ(pair.state.held[1].name, "platen");
-  EXPECT_THAT(pair.state.held[1].nodes, UnorderedElementsAre(16, 17, 18, 21, 22, 23));
-  EXPECT_EQ(pair.state.held[0].nodes.size(), 5U) << "the condition keeps its own";
+TEST(PrescribedVelocity, FollowsATableThatIsLinearBetweenItsTimes) {
+  const VelocityCourse v = tabled({1.0, 2.0, 4.0}, {0.0, -1.0, 3.0});
+  EXPECT_EQ(v(0.0), 0.0);
+  EXPECT_DOUBLE_EQ(v(1.25), -0.25);
+  EXPECT_EQ(v(2.0), -1.0);
+  EXPECT_DOUBLE_EQ(v(3.0), 1.0);
+  EXPECT_EQ(v(9.0), 3.0);
+  EXPECT_THROW((void)tabled({1.0, 1.0}, {0.0, 0.0}), InputError);
+  EXPECT_THROW((void)tabled({1.0}, {0.0, 0.0}), InputError);
+  EXPECT_THROW((void)tabled({}, {}), InputError);
 }
 
-TEST(RigidBody, TakesOtherNodesWhenItMovesIntoAnotherCell) {
-  RigidPair pair;
-  move_rigid_points(pair.state, end, 0.25); // by −0.5
-  EXPECT_EQ(pair.state.rigid_bodies[0].points.position[1][0], 2.75);
-  EXPECT_EQ(pair.state.rigid_bodies[0].points.position[0][0], 1.5);
-  find_rigid_nodes(pair.state, *pair.shape);
-  EXPECT_THAT(pair.state.held[1].nodes, UnorderedElementsAre(11, 12, 13, 16, 17, 18));
-}
-
-TEST(RigidBody, IsNamedWhenItLeavesTheGrid) {
-  RigidPair pair;
-  move_rigid_points(pair.state, end, 5.0);
-  EXPECT_THAT([&] { find_rigid_nodes(pair.state, *pair.shape); },
-              testing::ThrowsMessage<RunError>(testing::HasSubstr("'platen'")));
+TEST(MovingGrid, ThatFollowsAConditionThatIsNotThereIsRefused) {
+  Model<2> model = model_with<2>("linear");
+  model.moving_grids.push_back({.axis = 1, .moving_row = 4, .platen = "lid"});
+  const auto make = [&] {
+    Simulation<2>(std::move(model), elastic_state<2>({2, 2}, 1.0, 2, 2, [](auto&) { return true; }));
+  };
+  EXPECT_THAT(make, testing::ThrowsMessage<InputError>(testing::HasSubstr("'lid'")));
 }
 
 } // namespace

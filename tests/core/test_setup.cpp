@@ -74,19 +74,24 @@ TEST(Setup, GivesEveryPointTheStateThatIsAskedForOrTheLawsOwn) {
 
 TEST(Setup, HoldsEverythingBehindAWall) {
   const Grid<2> grid = grid_around<2>({0.0, 0.0}, {1.0, 1.0}, 0.25, 2);
-  const NodeCondition<2> floor = smooth_wall(grid, "floor", 1, 0.0, Behind::lower);
-  EXPECT_EQ(floor.axis, 1);
-  EXPECT_EQ(nodes_of(grid, floor).size(), 9U * 3U);
-  EXPECT_EQ(floor.velocity(1.0), 0.0);
-  const NodeCondition<2> right = smooth_wall(grid, "right", 0, 1.0, Behind::upper);
-  EXPECT_EQ(nodes_of(grid, right).size(), 9U * 3U);
-  EXPECT_EQ(grid.position(grid.index(nodes_of(grid, right).front()))[0], 1.0);
-  const std::vector<NodeCondition<2>> rough = rough_wall(grid, "floor", 1, 0.0, Behind::lower);
+  const auto bound = [&](const Boundary<2>& wall) -> const BoundaryCondition<2>& {
+    wall->bind(grid, *scheme<2>("linear"));
+    return *wall;
+  };
+  const auto given = [](const Boundary<2>& wall) { return dynamic_cast<PrescribedVelocity<2>&>(*wall).given(); };
+  const Boundary<2> floor = smooth_wall(grid, "floor", 1, 0.0, Behind::lower);
+  EXPECT_EQ(given(floor).axis, 1);
+  EXPECT_EQ(bound(floor).nodes().size(), 9U * 3U);
+  EXPECT_EQ(given(floor).velocity(1.0), 0.0);
+  const Boundary<2> right = smooth_wall(grid, "right", 0, 1.0, Behind::upper);
+  EXPECT_EQ(bound(right).nodes().size(), 9U * 3U);
+  EXPECT_EQ(grid.position(grid.index(right->nodes().front()))[0], 1.0);
+  const std::vector<Boundary<2>> rough = rough_wall(grid, "floor", 1, 0.0, Behind::lower);
   ASSERT_EQ(rough.size(), 2U);
-  EXPECT_EQ(rough[0].name, "floor_x");
-  EXPECT_EQ(rough[0].axis, 0);
-  EXPECT_EQ(rough[1].axis, 1);
-  EXPECT_EQ(nodes_of(grid, rough[0]), nodes_of(grid, rough[1]));
+  EXPECT_EQ(rough[0]->name(), "floor_x");
+  EXPECT_EQ(given(rough[0]).axis, 0);
+  EXPECT_EQ(given(rough[1]).axis, 1);
+  EXPECT_EQ(bound(rough[0]).nodes(), bound(rough[1]).nodes());
 }
 
 TEST(Setup, RefusesAWallBetweenTheLinesOfTheGridAndNamesThem) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/built_in.hpp"
+#include "core/step/boundaries/prescribed_velocity.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/simulation.hpp"
 

@@ -109,6 +109,25 @@ TEST_P(AllocationTest, AreNoneWithRigidPlatensAndPressureOnPoints) {
   EXPECT_EQ(allocations_in_steps(simulation), 0);
 }
 
+class BoundaryAllocationTest : public testing::TestWithParam<std::string> {};
+
+/// A block falls on a condition in the lowest rows of the grid.
+TEST_P(BoundaryAllocationTest, AreNoneInAStep) {
+  State<2> state = elastic_state<2>({8, 8}, 0.1, 2, 4, [](const Vec<2>&) { return true; });
+  state.bodies[0].points.velocity.fill(0, 1.0);
+  state.bodies[0].points.velocity.fill(1, -2.0);
+  const NodeBox<2> place{.first = {2, 2}, .last = {state.grid.nodes[0] - 3, 4}, .axis = 1};
+  Model<2> model = model_with<2>("gimp");
+  const auto& entry = catalogue().in_2d.boundaries.find(GetParam());
+  model.conditions.push_back(entry.make("tested", place, Values(entry.description.parameters)));
+  Simulation<2> simulation = warm(Simulation<2>(std::move(model), std::move(state)));
+  EXPECT_EQ(allocations_in_steps(simulation), 0);
+  EXPECT_NE(simulation.state().boundary_loss + std::abs(simulation.boundary("tested").report().reaction), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, BoundaryAllocationTest, testing::ValuesIn(catalogue().in_2d.boundaries.names()),
+                         [](const auto& tested) { return tested.param; });
+
 /// A block as soft as a liquid is sheared until points of different slabs lie in the same rows.
 TEST_P(AllocationTest, AreNoneWhenPointsAreSortedAnew) {
   State<2> state =

@@ -30,9 +30,9 @@ Simulation<2> column(const std::string& scheme_name, Index cells, Index per_cell
   model.flip = 0.0;
   const auto still = [](double) { return 0.0; };
   const Counts<2> last{state.grid.nodes[0] - 1, state.grid.nodes[1] - 1};
-  model.conditions = {{"left", {0, 0}, {margin, last[1]}, 0, still},
-                      {"right", {margin + 2, 0}, last, 0, still},
-                      {"bottom", {0, 0}, {last[0], margin}, 1, still}};
+  model.conditions = prescribe_each<2>({{"left", {0, 0}, {margin, last[1]}, 0, still},
+                                        {"right", {margin + 2, 0}, last, 0, still},
+                                        {"bottom", {0, 0}, {last[0], margin}, 1, still}});
   return {std::move(model), std::move(state)};
 }
 

@@ -69,10 +69,10 @@ Simulation<2> column(const ColumnCase& of, int axis) {
     end[static_cast<std::size_t>(a)] = row;
     return end;
   };
-  model.conditions = {{"left", {0, 0}, to(across, margin), across, still},
-                      {"right", from(across, margin + 1), last, across, still},
-                      {"bottom", {0, 0}, to(axis, margin), axis, still},
-                      {"top", from(axis, margin + cells), last, axis, platen_velocity}};
+  model.conditions = prescribe_each<2>({{"left", {0, 0}, to(across, margin), across, still},
+                                        {"right", from(across, margin + 1), last, across, still},
+                                        {"bottom", {0, 0}, to(axis, margin), axis, still},
+                                        {"top", from(axis, margin + cells), last, axis, platen_velocity}});
   model.flip = of.flip;
   model.moving_grids.push_back({.axis = axis, .fixed_row = margin, .moving_row = margin + cells, .platen = "top"});
   return {std::move(model), std::move(state)};

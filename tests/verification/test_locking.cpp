@@ -132,10 +132,10 @@ Strip squeeze(const std::string& scheme_name, StepFunction<2> step, Locking lock
     return t < duration ? -0.5 * plate * (1.0 - std::cos(2.0 * std::numbers::pi * t / duration)) : 0.0;
   };
   const auto rest = [](double) { return 0.0; };
-  model.conditions = {{"bottom", {0, 0}, {right, margin}, 1, rest},
-                      {"bottom_rough", {0, 0}, {right, margin}, 0, rest},
-                      {"top", {0, top}, {right, last}, 1, motion},
-                      {"top_rough", {0, top}, {right, last}, 0, rest}};
+  model.conditions = prescribe_each<2>({{"bottom", {0, 0}, {right, margin}, 1, rest},
+                                        {"bottom_rough", {0, 0}, {right, margin}, 0, rest},
+                                        {"top", {0, top}, {right, last}, 1, motion},
+                                        {"top_rough", {0, top}, {right, last}, 0, rest}});
   Simulation<2> simulation(std::move(model), std::move(state));
   while (simulation.state().time < duration) simulation.step();
   double impulse = 0.0;

@@ -20,7 +20,7 @@ std::vector<double> everything(Simulation<Dim>& simulation) {
     for (const Columns* field : points.fields())
       for (int c = 0; c < field->components(); ++c)
         all.push_back((*field)[c][points.place[static_cast<std::size_t>(id)]]);
-  for (const auto& held : simulation.state().held) all.push_back(held.reaction);
+  for (const auto& condition : simulation.model().conditions) all.push_back(condition->report().reaction);
   const Energies energies = simulation.energies();
   all.insert(all.end(), {energies.kinetic, energies.internal, energies.external, simulation.time_step()});
   return all;

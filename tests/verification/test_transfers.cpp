@@ -129,7 +129,8 @@ double energy_of_bar(const std::string& scheme, const Transfer& transfer, StepFu
   for (Index p = 0; p < points.size(); ++p)
     points.velocity[0][p] = 1e-3 * c * std::sin(0.5 * std::numbers::pi * points.position[0][p] / length);
   Model<2> model = model_with<2>(scheme, transfer, step);
-  model.conditions.push_back({"left", {0, 0}, {3, state.grid.nodes[1] - 1}, 0, [](double) { return 0.0; }});
+  model.conditions.push_back(
+      prescribe<2>({"left", {0, 0}, {3, state.grid.nodes[1] - 1}, 0, [](double) { return 0.0; }}));
   model.fixed_time_step = 0.2 * h / c;
   Simulation<2> simulation(std::move(model), std::move(state));
   const double start = simulation.energies().kinetic;

@@ -30,6 +30,8 @@ __attribute__((constructor)) static void loop(void) {
 }
 #elif KIND == 8 /* ends the program */
 __attribute__((constructor)) static void leave(void) { exit(0); }
+#elif KIND == 9 /* the interface of the version before */
+const struct stamp riedel_plugin = {"riedel plug", 2, RIEDEL_VERSION, "12", 0, 0};
 #else           /* a library that is no plug-in */
 int nothing = 0;
 #endif
