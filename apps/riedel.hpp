@@ -7,6 +7,7 @@
 #include "core/io/vtk_writer.hpp"
 #include "core/setup/fill.hpp"
 #include "core/setup/walls.hpp"
+#include "core/step/boundaries/friction_wall.hpp"
 #include "core/step/boundaries/prescribed_velocity.hpp"
 #include "core/step/boundaries/register.hpp"
 #include "core/step/boundaries/rigid_body.hpp"

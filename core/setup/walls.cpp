@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/parameters.hpp"
+#include "core/step/boundaries/friction_wall.hpp"
 
 #include <cmath>
 
@@ -58,6 +59,15 @@ std::vector<Boundary<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& 
   return all;
 }
 
+template <int Dim>
+Boundary<Dim> friction_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place, Behind behind,
+                            double coefficient) {
+  return std::make_unique<FrictionWall<Dim>>(
+      FrictionOnNodes<Dim>{.name = name, .place = side(grid, name, axis, place, behind), .coefficient = coefficient});
+}
+
+template Boundary<2> friction_wall<2>(const Grid<2>&, const std::string&, int, double, Behind, double);
+template Boundary<3> friction_wall<3>(const Grid<3>&, const std::string&, int, double, Behind, double);
 template NodeBox<2> side<2>(const Grid<2>&, const std::string&, int, double, Behind);
 template NodeBox<3> side<3>(const Grid<3>&, const std::string&, int, double, Behind);
 template Boundary<2> smooth_wall<2>(const Grid<2>&, std::string, int, double, Behind);

@@ -20,4 +20,11 @@ template <int Dim>
 std::vector<Boundary<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place,
                                       Behind behind);
 
+/// A wall with Coulomb friction: no node on it or behind it moves into it, and the tangential force is limited by
+/// `coefficient` times the normal one. Material may leave it. Arguments as for `side`.
+/// @throws InputError, also for a coefficient below 0
+template <int Dim>
+Boundary<Dim> friction_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place, Behind behind,
+                            double coefficient);
+
 } // namespace riedel

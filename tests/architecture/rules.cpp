@@ -175,7 +175,7 @@ Offences libraries_out_of_place(const SourceFile& file) {
 }
 
 std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files) {
-  const Names everyday = {"linear", "elastic", "strain", "von"};
+  const Names everyday = {"linear", "elastic", "strain", "von", "coulomb"};
   Names names;
   for (const SourceFile& file : files) {
     const std::string room = room_of(file.path), name = stem(file.path);

@@ -47,7 +47,7 @@ TEST(House, NamesNoSchemeAndNoLawInCore) {
 
 TEST(House, KnowsAKindOfBoundaryConditionInItsPairOfFilesAndTheRegisterAlone) {
   EXPECT_THAT(offences([](const SourceFile& file) { return kinds_of_boundaries_known(file, house()); }), IsEmpty());
-  for (const std::string name : {"prescribed_velocity", "rigid_body"})
+  for (const std::string name : {"prescribed_velocity", "rigid_body", "friction_wall"})
     EXPECT_THAT(kinds_of_boundaries_known(
                     {"core/step/musl.cpp", "#include \"core/step/boundaries/" + name + ".hpp\"\n"}, house()),
                 testing::SizeIs(1));

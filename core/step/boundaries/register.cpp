@@ -1,5 +1,6 @@
 #include "core/step/boundaries/register.hpp"
 
+#include "core/step/boundaries/friction_wall.hpp"
 #include "core/step/boundaries/prescribed_velocity.hpp"
 #include "core/step/boundaries/rigid_body.hpp"
 
@@ -23,6 +24,8 @@ void register_boundaries(BoundaryConditions<Dim>& boundaries) {
   add<PrescribedVelocity<Dim>>(boundaries, "one velocity component, given or free, common to a box of nodes", "");
   add<RigidBody<Dim>>(boundaries, "a block of rigid points that moves through the grid and drives the nodes it touches",
                       "");
+  add<FrictionWall<Dim>>(boundaries, "a wall with Coulomb friction, node by node",
+                         "Bardenhagen, Brackbill & Sulsky (2000)");
 }
 
 template void register_boundaries<2>(BoundaryConditions<2>&);
