@@ -10,8 +10,8 @@ struct Energies {
   double kinetic = 0.0;
   double internal = 0.0; ///< work of the stresses since the start
   double external = 0.0; ///< work of boundaries, gravity, confining pressure and surface loads since the start
-  double dissipated =
-      0.0; ///< work of the boundaries' motion that was lost to friction, or a dashpot, between them and the material
+  /// Lost between boundaries and material since the start: friction, dashpots.
+  double dissipated = 0.0;
   double transfer = 0.0;    ///< work of all forces on the nodes that did not become motion of the points: damping, loss
   double filter = 0.0;      ///< part of the internal work that the stress filter's own strains did, and no force
   double unaccounted = 0.0; ///< external + filter − internal − transfer − gain of kinetic energy
