@@ -223,14 +223,10 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
     write_png(folder / names.back(), part.plot);
   }
   for (const SpecimenFigure& part : specimens) {
+    std::vector<const RunResult*> runs;
+    for (const RunResult& run : part.runs) runs.push_back(&run);
     for (const DrawnField& field : pictured_fields) {
-      std::vector<Frame> frames;
-      std::vector<std::string> labels;
-      for (const RunResult& run : part.runs)
-        if (auto frame = readable_frame(run, drawn_strain); frame && frame->has(field.name)) {
-          frames.push_back(std::move(*frame));
-          labels.push_back(run.label);
-        }
+      const auto [frames, labels] = frames_with(field, runs, drawn_strain);
       if (frames.empty()) continue;
       std::vector<Panel> panels;
       for (std::size_t i = 0; i < frames.size(); ++i) panels.push_back({&frames[i], labels[i], ""});
@@ -242,7 +238,7 @@ std::vector<std::string> write_figures(const std::vector<FigurePart>& curves,
                             .unit = field.unit,
                             .title = "",
                             .subtitle = "",
-                            .label = field.label + std::string(", u/h₀ = ") + fixed_text(100 * drawn_strain, 0) + " %",
+                            .label = field_label(field, drawn_strain, 0),
                             .range = field_range(frames, field),
                             .width = 2000,
                             .height = 900});

@@ -130,13 +130,7 @@ std::vector<std::string> write_campaign_pictures(const Plan& plan, Runs results,
   const double strain = common_strain(runs);
   const std::size_t most = panels_of_a_picture(runs);
   for (const DrawnField& field : pictured_fields) {
-    std::vector<Frame> frames;
-    std::vector<std::string> labels;
-    for (const RunResult* run : by_scheme(runs))
-      if (auto frame = readable_frame(*run, strain); frame && frame->has(field.name)) {
-        frames.push_back(std::move(*frame));
-        labels.push_back(run->label);
-      }
+    const auto [frames, labels] = frames_with(field, by_scheme(runs), strain);
     for (std::size_t first = 0; first < frames.size(); first += most) {
       std::vector<Panel> panels;
       for (std::size_t i = first; i < std::min(first + most, frames.size()); ++i)
@@ -148,7 +142,7 @@ std::vector<std::string> write_campaign_pictures(const Plan& plan, Runs results,
                             .unit = field.unit,
                             .title = "",
                             .subtitle = "",
-                            .label = std::string(field.label) + ", u/h₀ = " + fixed_text(100.0 * strain, 1) + " %",
+                            .label = field_label(field, strain, 1),
                             .range = field_range(frames, field),
                             .width = 2400,
                             .height = 900});

@@ -97,6 +97,20 @@ std::optional<Frame> readable_frame(const RunResult& run, double u_over_h) {
   }
 }
 
+LabelledFrames frames_with(const DrawnField& field, std::span<const RunResult* const> runs, double u_over_h) {
+  LabelledFrames all;
+  for (const RunResult* run : runs)
+    if (auto frame = readable_frame(*run, u_over_h); frame && frame->has(field.name)) {
+      all.frames.push_back(std::move(*frame));
+      all.labels.push_back(run->label);
+    }
+  return all;
+}
+
+std::string field_label(const DrawnField& field, double u_over_h, int digits) {
+  return std::string(field.label) + ", u/h₀ = " + fixed_text(100.0 * u_over_h, digits) + " %";
+}
+
 double common_strain(Runs runs) {
   double least = 1.0;
   for (const RunResult& run : runs)

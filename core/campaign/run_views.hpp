@@ -24,6 +24,17 @@ std::optional<double> history_at(const RunResult& run, const std::string& column
 std::optional<Frame> frame_at(const RunResult& run, double u_over_h);
 /// The same; none, and a warning, where it is damaged.
 std::optional<Frame> readable_frame(const RunResult& run, double u_over_h);
+/// Frames of some runs that have a field, each with its run's label.
+struct LabelledFrames {
+  std::vector<Frame> frames;
+  std::vector<std::string> labels;
+};
+/// Runs without the field, or with damaged frames, are left out.
+LabelledFrames frames_with(const DrawnField& field, std::span<const RunResult* const> runs, double u_over_h);
+
+/// "mean pressure p [kPa], u/h₀ = 5.0 %", the label of a picture's colours.
+std::string field_label(const DrawnField& field, double u_over_h, int digits);
+
 /// The strain that every run with frames has reached.
 double common_strain(Runs runs);
 

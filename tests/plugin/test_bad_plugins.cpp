@@ -25,20 +25,19 @@ TEST_P(UselessLibrary, IsRefusedWithItsReason) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, UselessLibrary,
-                         testing::Values(Refusal{"/no/such/file.so", "there is no such file"},
-                                         Refusal{library("bad_0"), "exports no 'riedel_plugin'"},
-                                         Refusal{library("bad_1"),
-                                                 "has the binary interface 4711, and this program has 3"},
-                                         Refusal{library("bad_9"),
-                                                 "has the binary interface 2, and this program has 3; compile it "
-                                                 "against the headers of this program"},
-                                         Refusal{library("bad_2"), "was compiled for Riedel 99.1.0, and this is 0."},
-                                         Refusal{library("bad_3"), "was compiled by g++ 3.4"},
-                                         Refusal{library("bad_4"), "its 'riedel_plugin' is something else"},
-                                         Refusal{library("bad_5"), "undefined symbol: nobody_has_this"},
-                                         Refusal{library("bad_6"), "crashes while it is loaded: signal 11"},
-                                         Refusal{SOURCE_DIR "/README.md", "cannot be loaded: "}));
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, UselessLibrary,
+    testing::Values(Refusal{"/no/such/file.so", "there is no such file"},
+                    Refusal{library("bad_0"), "exports no 'riedel_plugin'"},
+                    Refusal{library("bad_1"), "has the binary interface 4711, and this program has 3"},
+                    Refusal{library("bad_9"), "has the binary interface 2, and this program has 3; compile it "
+                                              "against the headers of this program"},
+                    Refusal{library("bad_2"), "was compiled for Riedel 99.1.0, and this is 0."},
+                    Refusal{library("bad_3"), "was compiled by g++ 3.4"},
+                    Refusal{library("bad_4"), "its 'riedel_plugin' is something else"},
+                    Refusal{library("bad_5"), "undefined symbol: nobody_has_this"},
+                    Refusal{library("bad_6"), "crashes while it is loaded: signal 11"},
+                    Refusal{SOURCE_DIR "/README.md", "cannot be loaded: "}));
 
 TEST(BadPlugin, WithANameThatIsTakenIsRefused) {
   Catalogue all = catalogue_with(library("bad_laws"));
