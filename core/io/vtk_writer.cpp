@@ -25,6 +25,7 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <new>
 #include <numeric>
 
 namespace riedel {
@@ -156,6 +157,16 @@ void make_directory(const std::filesystem::path& path) {
   if (error) throw InputError("cannot create the folder " + path.string() + ": " + error.message());
 }
 
+/// VTK does not survive a lack of memory, so that is found out before: its arrays, and texts that grow by doubling.
+/// @throws std::bad_alloc
+void require_room(const Frame& frame) {
+  constexpr std::size_t spare = std::size_t{16}
+                                << 20U; // of its objects, compressor, and the threads it starts at first
+  std::size_t numbers = frame.position.size() + 2 * frame.corners.size();
+  for (const Field& field : frame.fields) numbers += field.values.size();
+  ::operator delete(::operator new(4 * sizeof(double) * numbers + spare)); // a direct call is never left out
+}
+
 } // namespace
 
 SeriesWriter::SeriesWriter(std::filesystem::path directory) : directory_(std::move(directory)) {
@@ -165,6 +176,7 @@ SeriesWriter::SeriesWriter(std::filesystem::path directory) : directory_(std::mo
 
 void SeriesWriter::write(const Frame& frame) {
   frame.check();
+  require_room(frame);
   const bool flat = frame.dimension == 2, with_domains = !frame.corners.empty();
   const std::string points_file = file_name("points", points_.size(), ".vtp");
   const std::string domains_file = file_name("domains", points_.size(), flat ? ".vtp" : ".vtu");
