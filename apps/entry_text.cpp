@@ -46,7 +46,7 @@ std::string brief_text(const Description& description) {
 }
 
 std::string entry_text(const Description& description, const std::string& kind, const std::string& key) {
-  return head(description, kind, key) + parameters_text(description, "nonlocal");
+  return head(description, kind, key) + parameters_text(description, key.substr(0, key.find('.')));
 }
 
 std::string boundary_text(const Description& description) {

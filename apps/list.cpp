@@ -60,6 +60,7 @@ std::vector<Group> groups_of(const Inventory& inventory) {
           group("searches", all.in_2d.searches, keyed("search for neighbours", "nonlocal.search")),
           group("averagers", all.in_2d.averagers, keyed("averager", "nonlocal.averager")),
           group("boundaries", all.in_2d.boundaries, of_boundary),
+          group("transfers", all.in_2d.transfers, keyed("transfer of velocities", "time.transfer")),
           group_of(inventory.plugins)};
 }
 
@@ -106,9 +107,9 @@ std::string text_of(const std::string& wish, const std::vector<Group>& groups, c
 
 std::vector<std::string> list_words() {
   const Catalogue all = full_catalogue();
-  Texts words{"schemes", "materials", "searches", "averagers", "boundaries", "plugins"};
+  Texts words{"schemes", "materials", "searches", "averagers", "boundaries", "transfers", "plugins"};
   for (const Texts& names : {all.in_2d.schemes.names(), all.materials.names(), all.in_2d.searches.names(),
-                             all.in_2d.averagers.names(), all.in_2d.boundaries.names()})
+                             all.in_2d.averagers.names(), all.in_2d.boundaries.names(), all.in_2d.transfers.names()})
     words.insert(words.end(), names.begin(), names.end());
   return words;
 }

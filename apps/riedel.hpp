@@ -20,10 +20,11 @@
 #include "materials/register.hpp"
 #include "nonlocal/register.hpp"
 #include "shapefunctions/register.hpp"
+#include "transfers/register.hpp"
 
 namespace riedel {
 
-/// The schemes, laws, searches, averagers and boundary conditions that come with the library.
+/// The schemes, laws, searches, averagers, boundary conditions and transfers that come with the library.
 inline Catalogue built_in() {
   Catalogue all;
   register_shape_functions(all.in_2d.schemes);
@@ -33,6 +34,8 @@ inline Catalogue built_in() {
   register_boundaries(all.in_2d.boundaries);
   register_boundaries(all.in_3d.boundaries);
   register_materials(all.materials);
+  register_transfers(all.in_2d.transfers);
+  register_transfers(all.in_3d.transfers);
   return all;
 }
 

@@ -74,14 +74,21 @@ Counts<Dim> block_cells(Index points, Index per_cell) {
 }
 
 template <int Dim>
+std::shared_ptr<const VelocityTransfer<Dim>> transfer_of(const BenchCase& wanted, const Catalogue& catalogue) {
+  const auto& transfer = catalogue.in<Dim>().transfers.find(wanted.transfer);
+  Values options(transfer.description.parameters);
+  if (options.has("flip")) options.set("flip", block::flip);
+  return transfer.make(options);
+}
+
+template <int Dim>
 Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) {
   Model<Dim> model;
   const auto& scheme = catalogue.in<Dim>().schemes.find(wanted.scheme);
   model.scheme = scheme.make(Values(scheme.description.parameters));
   model.step = step_named<Dim>(wanted.order);
   model.confining_pressure = block::pressure;
-  model.transfer = transfer_named(wanted.transfer);
-  model.flip = block::flip;
+  model.transfer = transfer_of<Dim>(wanted, catalogue);
   if (wanted.filter > 0) {
     model.stress_filter.stress_rate = block::filter_rate;
     model.stress_filter.volume_rate = 0.1 * block::filter_rate;
@@ -128,7 +135,7 @@ void set_in_motion(Simulation<Dim>& simulation) {
     const Vec<Dim> v = L * (points.position_of(p) - centre);
     for (int a = 0; a < Dim; ++a) points.velocity[a][p] = v[a];
   }
-  for (int c = 0; c < points.affine.components(); ++c) points.affine.fill(c, 0.0);
+  for (int c = 0; c < points.transfer_data.components(); ++c) points.transfer_data.fill(c, 0.0);
 }
 
 template Counts<2> block_cells<2>(Index, Index);

@@ -22,7 +22,8 @@ const Options& choices() {
       {"points", "N,M", "material points, whole cells near it; default: 2e3,1e4,1e5,1e6"},
       {"per-cell", "N", "points in a cell along each direction; default: 2"},
       {"order", "A,B", "of the step: musl, usl, usf; default: musl", true, step_orders()},
-      {"transfer", "A,B", "of velocities: flip, apic, tpic, xpic; default: flip", true, transfer_names()},
+      {"transfer", "A,B", "of velocities: flip, apic, tpic, xpic; default: flip", true,
+       catalogue.in_2d.transfers.names()},
       {"length", "A,B", "l_c in m, or with a unit: 1.5mm; 0 is local; default: 0"},
       {"averager", "A,B", "default: gauss", true, catalogue.in_2d.averagers.names()},
       {"search", "A,B", "for neighbours; default: cgal_kd_tree", true, catalogue.in_2d.searches.names()},
@@ -115,7 +116,8 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
   const Texts searches = arguments.names("search", {otherwise.search}, catalogue.in_2d.searches.names());
   all = vary(vary(all, &BenchCase::averager, averagers), &BenchCase::search, searches);
   all = vary(all, &BenchCase::order, arguments.names("order", {otherwise.order}, step_orders()));
-  all = vary(all, &BenchCase::transfer, arguments.names("transfer", {otherwise.transfer}, transfer_names()));
+  all = vary(all, &BenchCase::transfer,
+             arguments.names("transfer", {otherwise.transfer}, catalogue.in_2d.transfers.names()));
   all = vary(all, &BenchCase::points, integers(arguments, "points", {"2e3", "1e4", "1e5", "1e6"}, 1, 100'000'000));
   all = vary(all, &BenchCase::scheme, arguments.names("scheme", {otherwise.scheme}, catalogue.in_2d.schemes.names()));
   all = vary(all, &BenchCase::filter, integers(arguments, "filter", {"0"}, 0, 1000));

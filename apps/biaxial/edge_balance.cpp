@@ -2,8 +2,8 @@
 
 #include "apps/biaxial/specimen.hpp"
 #include "core/base/parallel.hpp"
+#include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
-#include "core/step/transfer.hpp"
 
 namespace riedel {
 
@@ -19,7 +19,8 @@ double imbalance_at_start(const BiaxialCase& values, const Catalogue& catalogue)
   Simulation<2> simulation = make_biaxial<2>(few, catalogue);
   State<2>& state = simulation.state();
   locate_points(state, simulation.model());
-  points_to_grid(state, simulation.model());
+  simulation.model().transfer->points_to_grid(state, simulation.model());
+  add_loads(state, simulation.model());
 
   const Walls& platens = state.grid.walls[1];
   const double unit = few.loading.confining_pressure * state.grid.cell[1];

@@ -96,7 +96,7 @@ Keys biaxial_keys(const Catalogue& catalogue, std::string_view model) {
   append_material(keys, catalogue, model, paper_model);
   append(keys, interpolation_keys(catalogue));
   append(keys, averaging_keys(catalogue));
-  append(keys, step_keys());
+  append(keys, step_keys(catalogue));
   append(keys, output_keys());
   if (catalogue.materials.known(model)) restrict_variable(keys, catalogue.materials.find(model));
   return keys;

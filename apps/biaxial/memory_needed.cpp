@@ -26,12 +26,12 @@ double entry_bytes() {
 }
 
 template <int Dim>
-double columns_of_a_point(const ShapeFunction<Dim>& scheme, int states, bool affine) {
+double columns_of_a_point(const ShapeFunction<Dim>& scheme, const VelocityTransfer<Dim>& transfer, int states) {
   Points<Dim> points;
   points.resize(0, states);
   double columns = Dim; // Δt Σ N v
   for (const Columns* field : points.fields()) columns += field->components();
-  return columns + scheme.columns() + (affine ? Dim * Dim : 0);
+  return columns + scheme.columns() + transfer.point_data_size();
 }
 
 /// Numbers that a frame holds of a point: place, corners, the law's state and what `snapshot` adds to it.
@@ -86,13 +86,12 @@ MemoryNeeded needed(const BiaxialCase& v, const Catalogue& catalogue) {
   for (const Index n : grid.nodes) nodes *= n;
 
   const int states = state_components(law->states());
-  const VelocityTransfer transfer = transfer_named(v.keys.text("time.transfer"));
+  const auto transfer = make_transfer<Dim>(v.keys, catalogue, 0.0);
   MemoryNeeded need{.program = bytes_of_program};
   constexpr double numbering = 6 * sizeof(Index) + sizeof(double); // ids, places and the space of a sort
-  need.points = points * (sizeof(double) * columns_of_a_point(*scheme, states, is_affine(transfer)) + numbering);
+  need.points = points * (sizeof(double) * columns_of_a_point(*scheme, *transfer, states) + numbering);
   constexpr double sums = sizeof(NodeSums<Dim>), motion = sizeof(NodeMotion<Dim>), number = sizeof(double);
-  need.nodes =
-      nodes * (sums + motion * (transfer == VelocityTransfer::xpic ? 2.0 : 1.0) + number * scheme->node_columns());
+  need.nodes = nodes * (sums + motion * (1.0 + transfer->node_records()) + number * scheme->node_columns());
   if (filters_stresses(v.keys)) {
     need.points += points * (sizeof(Few<8>) + number);
     need.nodes += nodes * (3.0 * sizeof(Few<8>) + number);

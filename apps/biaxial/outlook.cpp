@@ -15,14 +15,12 @@ std::string rates_text(const BiaxialCase& v, const Catalogue& catalogue) {
   const auto law = catalogue.materials.find(v.material.model).make(v.material.parameters);
   Model<2> model;
   model.scheme = catalogue.in_2d.schemes.find(v.scheme).make(v.interpolation);
-  set_biaxial_step(model, v, *law);
-  const std::string damping = model.transfer != VelocityTransfer::flip ? "none by FLIP and PIC"
-                              : model.damping ? "damping " + short_text(*model.damping) + " 1/s"
-                                              : "FLIP " + short_text(model.flip) + " by step";
+  set_biaxial_step(model, v, catalogue, *law);
   const StressFilter& filter = model.stress_filter;
-  return damping + (filter.on() ? ", stresses filtered at " + short_text(filter.stress_rate) + " 1/s, volumes at " +
-                                      short_text(filter.volume_rate) + " 1/s"
-                                : ", stresses not filtered");
+  return model.transfer->damping_text() + (filter.on()
+                                               ? ", stresses filtered at " + short_text(filter.stress_rate) +
+                                                     " 1/s, volumes at " + short_text(filter.volume_rate) + " 1/s"
+                                               : ", stresses not filtered");
 }
 
 } // namespace

@@ -68,13 +68,13 @@ void set_averager(Body<Dim>& body, const BiaxialCase& v, const Catalogue& catalo
 } // namespace
 
 template <int Dim>
-void set_biaxial_step(Model<Dim>& model, const BiaxialCase& v, const Material& law) {
+void set_biaxial_step(Model<Dim>& model, const BiaxialCase& v, const Catalogue& catalogue, const Material& law) {
   const double crossing_rate = wave_speeds(v, law).at_start / v.specimen.width, // [1/s]
       loading_rate = v.loading.speed / v.specimen.height;
   constexpr double slow_loading = 7e-5; // strain in the time that a wave takes: 0.05 m/s in the default case
   StepDefaults defaults;
   defaults.damping *= std::max(1.0, slow_loading * crossing_rate / loading_rate);
-  set_step(model, v.keys, crossing_rate, defaults);
+  set_step(model, v.keys, catalogue, crossing_rate, defaults);
 }
 
 template <int Dim>
@@ -82,7 +82,7 @@ Simulation<Dim> make_biaxial(const BiaxialCase& v, const Catalogue& catalogue) {
   Model<Dim> model;
   model.scheme = catalogue.in<Dim>().schemes.find(v.scheme).make(v.interpolation);
   std::unique_ptr<Material> law = make_law(v, catalogue);
-  set_biaxial_step(model, v, *law);
+  set_biaxial_step(model, v, catalogue, *law);
   model.stress_filter.volume_axes = 2; // plane strain, in a slab as well
 
   const SpecimenGeometry<Dim> specimen(v, *model.scheme);
@@ -139,8 +139,8 @@ double present_width(const Points<Dim>& points, const BiaxialCase& values) {
 
 template double present_width<2>(const Points<2>&, const BiaxialCase&);
 template double present_width<3>(const Points<3>&, const BiaxialCase&);
-template void set_biaxial_step<2>(Model<2>&, const BiaxialCase&, const Material&);
-template void set_biaxial_step<3>(Model<3>&, const BiaxialCase&, const Material&);
+template void set_biaxial_step<2>(Model<2>&, const BiaxialCase&, const Catalogue&, const Material&);
+template void set_biaxial_step<3>(Model<3>&, const BiaxialCase&, const Catalogue&, const Material&);
 template Simulation<2> make_biaxial<2>(const BiaxialCase&, const Catalogue&);
 template Simulation<3> make_biaxial<3>(const BiaxialCase&, const Catalogue&);
 template double platen_force<2>(const Simulation<2>&, const BiaxialCase&);

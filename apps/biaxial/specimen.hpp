@@ -17,7 +17,7 @@ Simulation<Dim> make_biaxial(const BiaxialCase& values, const Catalogue& catalog
 /// noise of points that cross cells, which comes by the way they go, weighs more beside ‖D‖: so "auto" damps the more
 /// the slower the test, from 7·10⁻⁵ strains in the time that a wave takes across the width down.
 template <int Dim>
-void set_biaxial_step(Model<Dim>& model, const BiaxialCase& values, const Material& law);
+void set_biaxial_step(Model<Dim>& model, const BiaxialCase& values, const Catalogue& catalogue, const Material& law);
 
 /// Vertical force on the top platen, compression positive, with the part that balances the confining pressure [N/m].
 template <int Dim>

@@ -91,7 +91,7 @@ Keys mpm_keys(const Catalogue& catalogue) {
       {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
       {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
   append(keys, interpolation_keys(catalogue));
-  append(keys, step_keys(element_step_defaults));
+  append(keys, step_keys(catalogue, element_step_defaults));
   for (Key& key : keys) key.doc = "mpm: " + key.doc;
   return keys;
 }

@@ -127,7 +127,8 @@ Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const 
   model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
   std::unique_ptr<Material> law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
   const double pressure = -(stress.m[0] + stress.m[1] + stress.m[2]) / 3.0;
-  set_step(model, v, wave_speeds(*law, pressure, v.number("specimen.void_ratio")).at_start / v.number("specimen.size"),
+  set_step(model, v, catalogue,
+           wave_speeds(*law, pressure, v.number("specimen.void_ratio")).at_start / v.number("specimen.size"),
            element_step_defaults);
   const Frame<Dim> frame(v, *model.scheme);
   set_boundaries(model, frame, v);

@@ -38,7 +38,8 @@ int main(int argc, char** argv) try {
   model.conditions.push_back(smooth_wall(state.grid, "symmetry", 0, 0.0, Behind::lower));
   model.gravity = {0.0, -gravity};
   model.step = musl_step<2>;
-  model.damping = 10.0; // [1/s], of what the grid does not see
+  // [1/s], of what the grid does not see
+  model.transfer = make(catalogue.in_2d.transfers, "flip", {{"damping", 10.0}});
 
   // 4. The run, with a frame and a row every 20 ms.
   Simulation<2> simulation(std::move(model), std::move(state));

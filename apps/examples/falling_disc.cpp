@@ -30,7 +30,7 @@ int main(int argc, char** argv) try {
   model.conditions.push_back(smooth_wall(state.grid, "right", 0, 2.0, Behind::upper));
   model.gravity = {0.0, -9.81};
   model.step = musl_step<2>;
-  model.flip = 1.0;
+  model.transfer = make(catalogue.in_2d.transfers, "flip", {{"flip", 1.0}});
 
   // 4. The run, with a frame and a row of history every 20 ms.
   Simulation<2> simulation(std::move(model), std::move(state));

@@ -1,5 +1,6 @@
 #include "apps/verify/block.hpp"
 
+#include "apps/riedel.hpp"
 #include "core/setup/fill.hpp"
 #include "core/step/boundaries/prescribed_velocity.hpp"
 #include "core/step/musl.hpp"
@@ -69,7 +70,7 @@ VerifySetup<Dim> make_setup(const VerifyCase& given, const VerifyBlock<Dim>& blo
   const auto& chosen = given.catalogue.in<Dim>().schemes.find(given.scheme);
   setup.model.scheme = chosen.make(Values(chosen.description.parameters));
   setup.model.step = musl_step<Dim>;
-  setup.model.flip = 1.0;
+  setup.model.transfer = make(given.catalogue.in<Dim>().transfers, "flip", {{"flip", 1.0}});
   setup.margin = setup.model.scheme->margin() + 2;
 
   Grid<Dim>& grid = setup.state.grid;

@@ -3,6 +3,7 @@
 /// cross cells.
 #include "apps/verify/column.hpp"
 
+#include "apps/riedel.hpp"
 #include "apps/verify/measure.hpp"
 #include "apps/verify/relax.hpp"
 
@@ -19,7 +20,7 @@ VerifyRun run_column(const VerifyCase& given) {
               .material = "linear_elastic",
               .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
   for (const Side side : {Side{0, false}, Side{0, true}, Side{1, false}}) setup.add_roller(side);
-  setup.model.flip = 0.0;
+  setup.model.transfer = make(given.catalogue.in_2d.transfers, "flip", {{"flip", 0.0}});
   const std::vector<Vec<2>> Y = setup.places();
   const double growth = 4.0 * height / std::sqrt(modulus / density); // four times the way of a wave
   setup.add_body_force(

@@ -3,6 +3,7 @@
 /// points where they are.
 #include "apps/verify/traction_bar.hpp"
 
+#include "apps/riedel.hpp"
 #include "apps/verify/measure.hpp"
 #include "apps/verify/relax.hpp"
 
@@ -41,7 +42,7 @@ StressErrors errors_at_rest(const VerifyCase& given, double share, Watch& watch)
               .material = "linear_elastic",
               .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
   for (const Side side : {Side{0, false}, Side{1, false}}) setup.add_roller(side);
-  setup.model.flip = 0.0;
+  setup.model.transfer = make(given.catalogue.in_2d.transfers, "flip", {{"flip", 0.0}});
   const double growth = 4.0 * length / std::sqrt(modulus / density); // four times the way of a wave
   setup.model.surface_tractions.push_back(pull(setup.points(), end, growth));
 

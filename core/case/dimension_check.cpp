@@ -15,6 +15,7 @@ void check_offered(const Values& values, const Catalogue& catalogue, int dimensi
   look("scheme", catalogue.in_3d.schemes);
   look("nonlocal.search", catalogue.in_3d.searches);
   look("nonlocal.averager", catalogue.in_3d.averagers);
+  look("time.transfer", catalogue.in_3d.transfers);
 }
 
 } // namespace riedel

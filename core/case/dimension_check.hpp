@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// Looks at scheme, search and averager. The choices of their keys are the names in two dimensions.
+/// Looks at scheme, search, averager and transfer. The choices of their keys are the names in two dimensions.
 void check_offered(const Values& values, const Catalogue& catalogue, int dimensions, std::vector<Finding>& errors);
 
 } // namespace riedel

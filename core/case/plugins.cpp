@@ -60,7 +60,7 @@ Inventory with_plugins(Catalogue built_in, const std::vector<std::string>& named
 
 Inventory with_plugins(Catalogue built_in, const CaseFile& given) {
   Inventory all = with_plugins(std::move(built_in), std::vector<std::string>{});
-  for (const std::string key : {"material.plugin", "interpolation.plugin", "nonlocal.plugin"}) {
+  for (const std::string key : {"material.plugin", "interpolation.plugin", "nonlocal.plugin", "time.plugin"}) {
     const std::string name = given.peek_text(key).value_or("");
     if (name.empty()) continue;
     try {

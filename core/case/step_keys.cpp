@@ -1,9 +1,10 @@
 #include "core/case/step_keys.hpp"
 
+#include "core/case/plugins.hpp"
 #include "core/case/transfer_keys.hpp"
-#include "core/step/musl.hpp"
-#include "core/step/usf.hpp"
-#include "core/step/usl.hpp"
+#include "core/step/orders.hpp"
+
+#include <algorithm>
 
 namespace riedel {
 
@@ -11,9 +12,9 @@ namespace {
 
 template <int Dim>
 StepFunction<Dim> step_named(const std::string& order) {
-  if (order == "musl") return musl_step<Dim>;
-  if (order == "usl") return usl_step<Dim>;
-  return usf_step<Dim>;
+  for (const StepOrder<Dim>& one : orders_of_step<Dim>)
+    if (order == one.name) return one.step;
+  throw InputError("unknown order of the step '" + order + "'");
 }
 
 constexpr StepDefaults standard_shares;
@@ -48,31 +49,37 @@ void check_stress_filter(const Values& v, const Catalogue& catalogue, std::vecto
                                                          "time.stress_filter a rate, or leave this out"});
 }
 
-/// A number that nothing would look at. Defaults pass: a run leaves them in its case.toml.
-void check_damping(const Values& v, std::vector<Finding>& errors) {
-  const std::string& transfer = v.text("time.transfer");
-  const bool by_step = !v.is_text("time.flip"), by_time = !v.is_text("time.damping");
-  const auto idle = [&](const std::string& key, double value, const std::string& why) {
-    errors.push_back({{key, "time.transfer", "time.flip"}, exact_text(value) + " means nothing " + why});
-  };
-  const std::string to_others =
-      "to \"" + transfer + "\", which blends no FLIP and PIC; leave it out, or take " + "time.transfer = \"flip\"";
-  if (transfer != "flip") {
-    if (by_step) idle("time.flip", v.number("time.flip"), to_others);
-    if (by_time) idle("time.damping", v.number("time.damping"), to_others);
-  } else if (by_step && by_time) {
-    idle("time.damping", v.number("time.damping"),
-         "beside time.flip = " + exact_text(v.number("time.flip")) + ", which says the same by step; give one of them");
-  }
+/// A share by step and a rate say the same of a transfer that takes both.
+void check_damping(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  const std::string by_step = "time.flip", by_time = "time.damping";
+  const Values options(catalogue.in_2d.transfers.find(v.text("time.transfer")).description.parameters);
+  const auto takes = [&](const std::string& key) { return options.has(key.substr(key.find('.') + 1)); };
+  if (!takes(by_step) || !takes(by_time) || v.is_text(by_step) || v.is_text(by_time)) return;
+  errors.push_back({{by_time, "time.transfer", by_step},
+                    exact_text(v.number(by_time)) + " means nothing beside time.flip = " +
+                        exact_text(v.number(by_step)) + ", which says the same by step; give one of them"});
+}
+
+/// The keys of the transfers in their place among those of the step, behind `time.transfer`.
+void insert_transfer_keys(Keys& keys, const Catalogue& catalogue, const std::string& of_auto) {
+  Keys more = transfer_keys(catalogue, of_auto);
+  more.push_back(plugin_key("time", "the transfer"));
+  for (const Key& key : more)
+    if (std::ranges::find(keys, key.name, &Key::name) != keys.end())
+      throw PluginError("a transfer has a parameter called '" + key.name.substr(key.name.find('.') + 1) + "', but " +
+                        key.name + " is a key of every step; give it another name");
+  const auto transfer = std::ranges::find(keys, "time.transfer", &Key::name);
+  keys.insert(transfer + 1, more.begin(), more.end());
 }
 
 } // namespace
 
-Keys step_keys(const StepDefaults& defaults) {
+Keys step_keys(const Catalogue& catalogue, const StepDefaults& defaults) {
   const Bounds any{};
   const StressFilter standard;
   const Bounds up_to_one{.lower = 0.0, .upper = 1.0, .lower_included = false};
-  return {
+  const std::vector<std::string> transfers = catalogue.in_2d.transfers.names();
+  Keys keys{
       {"time.order",
        "musl",
        "",
@@ -81,26 +88,7 @@ Keys step_keys(const StepDefaults& defaults) {
        {"musl", "usl", "usf"}},
       {"time.step", "auto", "s", more_than(0), "time step; auto: from cfl and the wave speed in force", {"auto"}},
       {"time.cfl", 0.5, "-", up_to_one, "automatic step as a fraction of the stable one"},
-      {"time.transfer", "flip", "", any,
-       "velocities between points and grid: a blend of FLIP and PIC, affine (APIC, TPIC), or XPIC(m)",
-       transfer_names()},
-      {"time.damping",
-       "auto",
-       "1/s",
-       at_least(0),
-       "rate at which what the grid does not see of the points' velocities fades; auto: " + times(defaults.damping) +
-           " at which waves cross the specimen's width" +
-           (defaults.slow_damp_more ? ", and below 7e-5 of strain in a crossing in inverse proportion more" : "") +
-           "; for flip alone",
-       {"auto"}},
-      {"time.flip",
-       "damping",
-       "-",
-       between(0, 1),
-       "share of FLIP in a step, the rest is PIC; damping: e^(-time.damping dt), so that steps of any size damp alike; "
-       "for flip alone",
-       {"damping"}},
-      {"time.xpic_order", std::int64_t{2}, "-", between(1, 40), "m of XPIC(m), 1 is PIC; for xpic alone"},
+      {"time.transfer", transfers.front(), "", any, "transfer of velocities between points and grid", transfers},
       {"time.objective_rate",
        "jaumann",
        "",
@@ -131,11 +119,16 @@ Keys step_keys(const StepDefaults& defaults) {
       {"time.stress_filter_steps", std::int64_t{standard.steps_between}, "-", between(1, 100),
        "filter in every so many steps, as much as in all of them"},
   };
+  insert_transfer_keys(
+      keys, catalogue,
+      times(defaults.damping) + " at which waves cross the specimen's width" +
+          (defaults.slow_damp_more ? ", and below 7e-5 of strain in a crossing in inverse proportion more" : ""));
+  return keys;
 }
 
 void check_step(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors) {
   check_stress_filter(values, catalogue, errors);
-  check_damping(values, errors);
+  check_damping(values, catalogue, errors);
   if (values.text("time.locking") == "f_bar" && values.text("time.order") == "usl")
     errors.push_back(
         {{"time.locking", "time.order"},
@@ -146,27 +139,23 @@ void check_step(const Values& values, const Catalogue& catalogue, std::vector<Fi
 bool filters_stresses(const Values& v) { return rate(v, "time.stress_filter", standard_shares.stress_filter) > 0.0; }
 
 template <int Dim>
-void set_step(Model<Dim>& model, const Values& v, double crossing_rate, const StepDefaults& defaults) {
+void set_step(Model<Dim>& model, const Values& v, const Catalogue& catalogue, double crossing_rate,
+              const StepDefaults& defaults) {
   model.step = step_named<Dim>(v.text("time.order"));
   if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
   if (v.text("time.locking") == "f_bar") model.locking = Locking::f_bar;
-  model.transfer = transfer_named(v.text("time.transfer"));
-  if (v.is_text("time.flip"))
-    model.damping = rate(v, "time.damping", defaults.damping * crossing_rate);
-  else
-    model.flip = v.number("time.flip");
+  model.transfer = make_transfer<Dim>(v, catalogue, defaults.damping * crossing_rate);
   const double usual = model.scheme->slopes_follow_weights() ? standard_shares.stress_filter * crossing_rate : 0.0,
                of_stress = rate(v, "time.stress_filter", usual);
   model.stress_filter = {.stress_rate = of_stress,
                          .volume_rate = rate(v, "time.volume_filter", most_of_volume * of_stress),
                          .order = static_cast<int>(v.integer("time.stress_filter_order")),
                          .steps_between = static_cast<int>(v.integer("time.stress_filter_steps"))};
-  model.xpic_order = static_cast<int>(v.integer("time.xpic_order"));
   model.cfl = v.number("time.cfl");
   if (!v.is_text("time.step")) model.fixed_time_step = v.number("time.step");
 }
 
-template void set_step<2>(Model<2>&, const Values&, double, const StepDefaults&);
-template void set_step<3>(Model<3>&, const Values&, double, const StepDefaults&);
+template void set_step<2>(Model<2>&, const Values&, const Catalogue&, double, const StepDefaults&);
+template void set_step<3>(Model<3>&, const Values&, const Catalogue&, double, const StepDefaults&);
 
 } // namespace riedel

@@ -15,7 +15,7 @@ struct StepDefaults {
 };
 
 /// All keys of the section `time`.
-Keys step_keys(const StepDefaults& defaults = {});
+Keys step_keys(const Catalogue& catalogue, const StepDefaults& defaults = {});
 
 /// What these keys cannot be together.
 void check_step(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors);
@@ -26,6 +26,7 @@ bool filters_stresses(const Values& values);
 /// What these keys say of a model that has its scheme.
 /// @param crossing_rate at which waves cross the specimen's width at the start [1/s]
 template <int Dim>
-void set_step(Model<Dim>& model, const Values& values, double crossing_rate, const StepDefaults& defaults = {});
+void set_step(Model<Dim>& model, const Values& values, const Catalogue& catalogue, double crossing_rate,
+              const StepDefaults& defaults = {});
 
 } // namespace riedel

@@ -1,35 +1,65 @@
 #include "core/case/transfer_keys.hpp"
 
+#include "core/case/case_text.hpp"
+#include "core/step/orders.hpp"
+
 #include <algorithm>
 
 namespace riedel {
 
 namespace {
 
-/// A number that the chosen transfer would not look at. Defaults pass: a run leaves them in its case.toml.
-void check_settings(const Values& v, std::vector<Finding>& errors) {
-  const std::string& transfer = v.text("time.transfer");
-  const std::int64_t order = v.integer("time.xpic_order");
-  if (transfer != "xpic" && order != Model<2>().xpic_order)
-    errors.push_back({{"time.xpic_order", "time.transfer"},
-                      std::to_string(order) + " means nothing to \"" + transfer +
-                          "\"; leave it out, or take time.transfer = \"xpic\""});
+using Transfers = VelocityTransfers<2>;
+
+bool takes(const Transfers::Entry& transfer, const std::string& parameter) {
+  const Keys& all = transfer.description.parameters;
+  return std::ranges::find(all, parameter, &Key::name) != all.end();
 }
 
-/// Affine transfers take the slope of the velocity about a point, which hats do not spread.
-void check_spreading(const Values& v, const Catalogue& catalogue, Findings& found) {
+/// Names of the transfers that take a parameter, or for which something else holds.
+template <class Holds>
+std::string names_of(const Transfers& transfers, const std::string& between, const Holds& holds) {
+  std::string all;
+  for (const Transfers::Entry& transfer : transfers.entries())
+    if (holds(transfer)) all += (all.empty() ? "" : between) + transfer.description.name;
+  return all;
+}
+
+/// A rate of damping, for which a case may leave "auto".
+bool is_rate(const Key& key) {
+  return key.unit == "1/s" && std::ranges::find(key.choices, "auto") != key.choices.end();
+}
+
+/// A number that the chosen transfer would not look at. Defaults pass: a run leaves them in its case.toml.
+void check_settings(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
+  const Transfers& transfers = catalogue.in_2d.transfers;
+  const auto& chosen = transfers.find(v.text("time.transfer"));
+  for (const Key& key : transfer_keys(catalogue, "")) {
+    const std::string parameter = key.name.substr(key.name.find('.') + 1);
+    if (takes(chosen, parameter) || v.at(key.name) == key.default_value) continue;
+    errors.push_back({{key.name, "time.transfer"},
+                      toml_text(v.at(key.name)) + " means nothing to \"" + chosen.description.name +
+                          "\"; leave it out, or take time.transfer = \"" +
+                          names_of(transfers, "\" or \"", [&](const auto& one) { return takes(one, parameter); }) +
+                          "\""});
+  }
+}
+
+/// Transfers that take the slope of the velocity about a point need a scheme that spreads it, which hats do not.
+void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits::Spread spread, Findings& found) {
+  using Spread = TransferTraits::Spread;
   const auto& schemes = catalogue.in_2d.schemes;
   const std::string &scheme = v.text("scheme"), &transfer = v.text("time.transfer");
   const auto spreads = [&](const std::string& name) {
     return schemes.find(name).make(v.section("interpolation"))->spreads_points();
   };
-  if (!is_affine(transfer_named(transfer)) || spreads(scheme)) return;
+  if (spread == Spread::any || spreads(scheme)) return;
   std::string others;
   for (const std::string& name : schemes.names())
     if (spreads(name)) others += (others.empty() ? "" : ", ") + name;
-  if (transfer == "apic")
+  if (spread == Spread::needed)
     found.errors.push_back({{"time.transfer", "scheme"},
-                            "\"apic\" is not offered by the scheme \"" + scheme +
+                            "\"" + transfer + "\" is not offered by the scheme \"" + scheme +
                                 "\", which gives a point on a line of nodes no weight beside it; take one of " +
                                 others + ", or another transfer"});
   else
@@ -39,25 +69,55 @@ void check_spreading(const Values& v, const Catalogue& catalogue, Findings& foun
              "\" takes slopes from slivers of mass at free surfaces, and the run may fail; safe with " + others});
 }
 
-} // namespace
-
-const std::vector<std::string>& transfer_names() {
-  static const std::vector<std::string> all{"flip", "apic", "tpic", "xpic"};
-  return all;
+void check_order(const Values& v, const TransferTraits& traits, std::vector<Finding>& errors) {
+  const std::string& order = v.text("time.order");
+  if (traits.goes_with(order)) return;
+  std::string others;
+  for (const StepOrder<2>& other : orders_of_step<2>)
+    if (traits.goes_with(other.name)) others += (others.empty() ? "\"" : " or \"") + std::string(other.name) + "\"";
+  errors.push_back({{"time.transfer", "time.order"},
+                    "\"" + v.text("time.transfer") + "\" does not go with \"" + order +
+                        "\"; take time.order = " + others + ", or another transfer"});
 }
 
-VelocityTransfer transfer_named(const std::string& name) {
-  constexpr std::array all{VelocityTransfer::flip, VelocityTransfer::apic, VelocityTransfer::tpic,
-                           VelocityTransfer::xpic};
-  const auto found = std::ranges::find(transfer_names(), name);
-  if (found == transfer_names().end())
-    throw InputError("unknown transfer '" + name + "'; known: flip, apic, tpic, xpic");
-  return all[static_cast<std::size_t>(found - transfer_names().begin())];
+} // namespace
+
+Keys transfer_keys(const Catalogue& catalogue, const std::string& of_auto) {
+  const Transfers& transfers = catalogue.in_2d.transfers;
+  Keys keys;
+  for (const Transfers::Entry& transfer : transfers.entries())
+    for (Key key : transfer.description.parameters) {
+      const std::string parameter = key.name;
+      key.name = "time." + parameter;
+      if (std::ranges::find(keys, key.name, &Key::name) != keys.end()) continue;
+      if (is_rate(key)) key.doc += "; auto: " + of_auto;
+      key.doc +=
+          "; for " + names_of(transfers, ", ", [&](const auto& one) { return takes(one, parameter); }) + " alone";
+      keys.push_back(std::move(key));
+    }
+  return keys;
+}
+
+template <int Dim>
+std::shared_ptr<const VelocityTransfer<Dim>> make_transfer(const Values& values, const Catalogue& catalogue,
+                                                           double damping) {
+  const auto& transfer = catalogue.in<Dim>().transfers.find(values.text("time.transfer"));
+  Values options;
+  for (const Key& key : transfer.description.parameters) {
+    const Value& given = values.at("time." + key.name);
+    options.set(key.name, is_rate(key) && std::holds_alternative<std::string>(given) ? Value(damping) : given);
+  }
+  return transfer.make(options);
 }
 
 void check_transfer(const Values& values, const Catalogue& catalogue, Findings& found) {
-  check_settings(values, found.errors);
-  check_spreading(values, catalogue, found);
+  check_settings(values, catalogue, found.errors);
+  const TransferTraits traits = make_transfer<2>(values, catalogue, 0.0)->traits();
+  check_order(values, traits, found.errors);
+  check_spreading(values, catalogue, traits.spread, found);
 }
+
+template std::shared_ptr<const VelocityTransfer<2>> make_transfer<2>(const Values&, const Catalogue&, double);
+template std::shared_ptr<const VelocityTransfer<3>> make_transfer<3>(const Values&, const Catalogue&, double);
 
 } // namespace riedel

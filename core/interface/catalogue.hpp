@@ -5,6 +5,7 @@
 #include "core/interface/material.hpp"
 #include "core/interface/nonlocal_averager.hpp"
 #include "core/interface/shape_function.hpp"
+#include "core/interface/velocity_transfer.hpp"
 
 namespace riedel {
 
@@ -14,6 +15,7 @@ struct CatalogueOf {
   NeighbourSearches<Dim> searches{"search"};
   NonlocalAveragers<Dim> averagers{"averager"};
   BoundaryConditions<Dim> boundaries{"boundary condition"};
+  VelocityTransfers<Dim> transfers{"transfer"};
 };
 
 struct Catalogue {

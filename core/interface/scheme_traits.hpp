@@ -30,7 +30,7 @@ struct SchemeTraits {
   bool balances_pressure_on_points = false;
   /// Functions end at `Grid::walls`: the row of nodes on a wall alone tells the motion there.
   bool ends_at_walls = false;
-  /// `ShapeFunction::move` places the points, by weights of its own: APIC does not keep angular momentum to round-off.
+  /// `ShapeFunction::move` places the points, by weights of its own: no transfer keeps angular momentum to round-off.
   bool moves_points = false;
   /// Greatest error of a body in translation [-], of velocity, F and stress over their scales: round-off, and what
   /// gradients miss where a node under `ShapeFunction::least_weight` is left out.

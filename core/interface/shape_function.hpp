@@ -38,7 +38,7 @@ public:
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                         Stencils<Dim>& stencils) const = 0;
   /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
-  /// (x_i − x_p) has an inverse, which APIC needs. Hats at a point have none on a line of nodes.
+  /// (x_i − x_p) has an inverse, by which affine transfers divide. Hats at a point have none on a line of nodes.
   [[nodiscard]] virtual bool spreads_points() const { return true; }
   /// Whether its slopes are the gradients of its weights. If not, the forces on the nodes see other stresses than the
   /// weights do, and the stress filter, which goes by the weights, is refused.

@@ -88,6 +88,7 @@ void adopt(const CatalogueOf<Dim>& brought, CatalogueOf<Dim>& all, const std::st
   adopt(brought.searches, all.searches, plugin);
   adopt(brought.averagers, all.averagers, plugin);
   adopt(brought.boundaries, all.boundaries, plugin);
+  adopt(brought.transfers, all.transfers, plugin);
 }
 
 template <class Make>
@@ -130,6 +131,7 @@ LoadedPlugin load_plugin(const std::filesystem::path& path, Catalogue& catalogue
   append_names(brought.in_2d.searches, loaded.brings);
   append_names(brought.in_2d.averagers, loaded.brings);
   append_names(brought.in_2d.boundaries, loaded.brings);
+  append_names(brought.in_2d.transfers, loaded.brings);
   return loaded;
 }
 

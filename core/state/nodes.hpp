@@ -58,8 +58,7 @@ template <int Dim>
 struct Nodes {
   AlignedVector<NodeSums<Dim>> sums;
   AlignedVector<NodeMotion<Dim>> motion;
-  AlignedVector<NodeMotion<Dim>> filter; ///< working space of XPIC, empty without it
-  SmoothingNodes smoothing;              ///< working space of the stress filter, empty without it
+  SmoothingNodes smoothing; ///< working space of the stress filter, empty without it
 
   void resize(Index count) {
     sums.assign(static_cast<std::size_t>(count), {});

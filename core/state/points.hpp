@@ -20,7 +20,7 @@ struct Points {
   Columns deformation_gradient{Dim * Dim}; ///< F_p [-]
   Columns velocity_gradient{Dim * Dim};    ///< L_p = ∂v/∂x [1/s]
   Columns stress{6};                       ///< Cauchy stress, tension positive, Mandel components [Pa]
-  Columns affine{0};                       ///< slope of the velocity: B_p of APIC [m²/s], C_p of TPIC [1/s], else none
+  Columns transfer_data{0};                ///< what the transfer of velocities keeps for each point
   Columns state{0};                        ///< the law's state variables, in the order it declares them
   Columns rate_norm{1};                    ///< ‖D‖ [1/s]
   Columns averaged{1};                     ///< non-local average of the scalar the law names
@@ -47,7 +47,7 @@ struct Points {
             &deformation_gradient,
             &velocity_gradient,
             &stress,
-            &affine,
+            &transfer_data,
             &state,
             &rate_norm,
             &averaged,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/parallel.hpp"
+#include "core/step/kernels/gather.hpp"
 #include "core/step/model.hpp"
 
 namespace riedel {
@@ -23,6 +24,16 @@ void for_each_group(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body,
 template <int Dim, class Visit>
 void for_each_group(State<Dim>& state, const Model<Dim>& model, const Visit& visit) {
   for (Body<Dim>& body : state.bodies) for_each_group(state, model, body, visit);
+}
+
+/// Calls `take(sum, body, p)` for every eight points of all bodies, with what they gather from the grid.
+template <Use use, int Dim, class Take>
+void for_each_gathered(State<Dim>& state, const Model<Dim>& model, const Take& take) {
+  for_each_group(state, model, [&](Body<Dim>& body, const StencilGroup<Dim>& stencil, Index p) {
+    Gathered<Dim> sum;
+    gather<use>(stencil, state.nodes.motion, sum);
+    take(sum, body, p);
+  });
 }
 
 } // namespace riedel

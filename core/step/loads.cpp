@@ -162,6 +162,14 @@ double body_work(const State<Dim>& state, const Model<Dim>& model, double dt) {
   return work;
 }
 
+template <int Dim>
+void add_loads(State<Dim>& state, const Model<Dim>& model) {
+  add_surface_tractions(state, model);
+  add_body_forces(state, model);
+}
+
+template void add_loads<2>(State<2>&, const Model<2>&);
+template void add_loads<3>(State<3>&, const Model<3>&);
 template void add_surface_tractions<2>(State<2>&, const Model<2>&);
 template void add_surface_tractions<3>(State<3>&, const Model<3>&);
 template void add_body_forces<2>(State<2>&, const Model<2>&);

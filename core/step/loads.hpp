@@ -17,6 +17,10 @@ void add_surface_tractions(State<Dim>& state, const Model<Dim>& model);
 template <int Dim>
 void add_body_forces(State<Dim>& state, const Model<Dim>& model);
 
+/// Both.
+template <int Dim>
+void add_loads(State<Dim>& state, const Model<Dim>& model);
+
 /// Power of the surface tractions over one step, with the points' velocities [J or J/m].
 template <int Dim>
 double surface_work(const State<Dim>& state, const Model<Dim>& model, double dt);

@@ -51,7 +51,8 @@ void sort_points(State<Dim>& state, Body<Dim>& body, Index rows) {
 template <int Dim>
 void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   state.nodes.resize(state.grid.node_count());
-  if (model.transfer == VelocityTransfer::xpic) state.nodes.filter.resize(state.nodes.motion.size());
+  state.transfer_room.nodes.assign(static_cast<std::size_t>(model.transfer->node_records()),
+                                   AlignedVector<NodeMotion<Dim>>(state.nodes.motion.size()));
   for (Body<Dim>& body : state.bodies) {
     start(*model.scheme, state.grid, body.points);
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
@@ -64,9 +65,10 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
       }
       body.fields.assign(static_cast<std::size_t>(blocks_of(body.points.size()) * block_size), Few<8>(0.0));
     }
-    if (is_affine(model.transfer) && body.points.affine.components() == 0) {
-      body.points.affine = Columns(Dim * Dim);
-      body.points.affine.resize(body.points.size());
+    Columns& transfer_data = body.points.transfer_data;
+    if (transfer_data.components() != model.transfer->point_data_size()) {
+      transfer_data = Columns(model.transfer->point_data_size());
+      transfer_data.resize(body.points.size());
     }
     // Thick enough for the support on both sides and for points to drift by two rows.
     sort_points(state, body, 6 + 2 * model.scheme->margin());
@@ -75,9 +77,9 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
 
 template <int Dim>
 void locate_points(State<Dim>& state, const Model<Dim>& model) {
-  if (is_affine(model.transfer))
-    while (state.moments.size() < static_cast<std::size_t>(most_threads()))
-      state.moments.emplace_back(static_cast<std::size_t>(model.scheme->max_nodes() * Dim * pack_size));
+  while (state.transfer_room.threads.size() < static_cast<std::size_t>(most_threads()))
+    state.transfer_room.threads.emplace_back(
+        static_cast<std::size_t>(model.transfer->thread_data_size(model.scheme->max_nodes())));
   for (Body<Dim>& body : state.bodies) {
     if (state.step % steps_between_looks == 0) {
       const PhaseClock::Lap lap(state.clock, Phase::sorting);

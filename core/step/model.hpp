@@ -2,14 +2,12 @@
 #pragma once
 
 #include "core/interface/boundary_condition.hpp"
+#include "core/interface/velocity_transfer.hpp"
 #include "core/step/state.hpp"
 
 #include <optional>
 
 namespace riedel {
-
-template <int Dim>
-struct Model;
 
 /// One time step: usf_step, usl_step or musl_step.
 template <int Dim>
@@ -17,9 +15,6 @@ using StepFunction = void (*)(State<Dim>& state, const Model<Dim>& model, double
 
 /// Whose spin turns stress and tensor state: W, or that of R in F = R U.
 enum class ObjectiveRate { jaumann, green_naghdi };
-
-/// How velocities get from points to the grid and back. In the affine ones, a point gives its nodes a slope as well.
-enum class VelocityTransfer { flip, apic, tpic, xpic };
 
 /// What keeps nearly incompressible material from locking: nothing, or the mean dilatation of a cell.
 enum class Locking { none, f_bar };
@@ -35,10 +30,6 @@ struct StressFilter {
 
   [[nodiscard]] bool on() const { return stress_rate > 0.0 || volume_rate > 0.0; }
 };
-
-constexpr bool is_affine(VelocityTransfer transfer) {
-  return transfer == VelocityTransfer::apic || transfer == VelocityTransfer::tpic;
-}
 
 /// A grid that follows a platen: along `axis` its cells stretch so that node row `moving_row` stays on the platen,
 /// while `fixed_row` stays where it is.
@@ -83,11 +74,7 @@ struct Model {
   std::vector<SurfaceTraction<Dim>> surface_tractions;
   std::vector<BodyForce<Dim>> body_forces;
   std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
-  VelocityTransfer transfer = VelocityTransfer::flip;
-  double flip = 0.98; ///< share of FLIP in the velocity update, the rest is PIC [-]; for `flip` alone
-  /// [1/s]; if given, the share is e^(−damping Δt), so that steps of any size damp alike.
-  std::optional<double> damping;
-  int xpic_order = 2; ///< m of XPIC(m)
+  std::shared_ptr<const VelocityTransfer<Dim>> transfer = default_transfer<Dim>();
   Locking locking = Locking::none;
   StressFilter stress_filter;
   double cfl = 0.5;             ///< share of the stable time step taken [-]

@@ -2,24 +2,26 @@
 
 #include "core/step/boundary.hpp"
 #include "core/step/grid_to_points.hpp"
+#include "core/step/loads.hpp"
 #include "core/step/locking.hpp"
 #include "core/step/stress_filter.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
-#include "core/step/transfers/xpic.hpp"
 
 namespace riedel {
 
 template <int Dim>
 void musl_step(State<Dim>& state, const Model<Dim>& model, double dt) {
+  const VelocityTransfer<Dim>& transfer = *model.transfer;
   const double end = state.time + dt;
-  points_to_grid(state, model);       // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
-  find_cells(state, model);           // F-bar alone, before the points move
-  filter_stresses(state, model, dt);  // now and then, if asked for: σ_p and ln J_p without what no node sees
-  advance_momentum(state, model, dt); // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
-  apply_boundaries(state, model, dt); // boundaries, reactions
-  filter_velocities(state, model);    // XPIC alone: v_p without what the grid does not see
-  remap_velocity(state, model, dt);   // v_p, then v_i = Σ_p N_ip m_p v_p / m_i
+  transfer.points_to_grid(state, model);     // m_i, (mv)_i, f_i = −Σ_p V_p (σ_p + p I) ∇N_ip
+  add_loads(state, model);                   // f_i of surface tractions and body forces
+  find_cells(state, model);                  // F-bar alone, before the points move
+  filter_stresses(state, model, dt);         // now and then, if asked for: σ_p and ln J_p without what no node sees
+  advance_momentum(state, model, dt);        // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
+  apply_boundaries(state, model, dt);        // boundaries, reactions
+  transfer.remap_velocity(state, model, dt); // v_p, then (mv)_i = Σ_p N_ip m_p v_p
+  divide_momentum(state, model);             // v_i = (mv)_i/m_i
   apply_boundary_velocities(state, model, end);
   deform_and_move(state, model, dt);    // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p, x_p
   average_dilatation(state, model, dt); // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p

@@ -5,6 +5,7 @@
 #include "core/step/law_failure.hpp"
 #include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
+#include "core/step/orders.hpp"
 #include "core/step/stress_update.hpp"
 
 #include <tuple>
@@ -56,6 +57,24 @@ void check_moving_grids(const Model<Dim>& model) {
       throw InputError("the grid is to follow '" + moving.platen + "'; no boundary condition is called so");
 }
 
+/// What the transfer asks of the scheme and of the order of the step.
+template <int Dim>
+void check_transfer(const Model<Dim>& model) {
+  if (model.transfer == nullptr)
+    throw InputError("the model has no transfer of velocities; leave the default, or take one of the catalogue");
+  const TransferTraits traits = model.transfer->traits();
+  if (traits.spread == TransferTraits::Spread::needed && !model.scheme->spreads_points())
+    throw InputError("the scheme does not go with the transfer: it puts a point on a line of nodes on that line alone");
+  for (const StepOrder<Dim>& order : orders_of_step<Dim>)
+    if (model.step == order.step && !traits.goes_with(order.name)) {
+      std::string allowed;
+      for (const StepOrder<Dim>& other : orders_of_step<Dim>)
+        if (traits.goes_with(other.name)) allowed += (allowed.empty() ? "" : ", ") + std::string(other.name);
+      throw InputError("the transfer does not go with the order " + std::string(order.name) +
+                       " of the step; allowed: " + allowed);
+    }
+}
+
 /// A point without mass, volume or extent would be divided by.
 template <int Dim>
 void check_points(const State<Dim>& state) {
@@ -96,9 +115,7 @@ Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::mo
   check_model(model_, state_.grid);
   check_points(state_);
   check_state_columns(state_);
-  if (model_.transfer == VelocityTransfer::apic && !model_.scheme->spreads_points())
-    throw InputError(
-        "the scheme does not offer the transfer apic: it puts a point on a line of nodes on that line alone");
+  check_transfer(model_);
   prepare_points(state_, model_);
   bind_boundaries(state_, model_);
   check_moving_grids(model_);

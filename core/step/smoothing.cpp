@@ -108,8 +108,8 @@ Eigen::Matrix<double, Size, Size> inverse(const Eigen::Matrix<double, Size, Size
 
 } // namespace
 
-/// As in XPIC, (I − S)^m a = a − N u with u = Σ_k t_k, t_1 = M⁻¹ Nᵀ V a, t_{k+1} = (I − M⁻¹ Nᵀ V N) t_k, k up to m: all
-/// but the first and the last sweep work on numbers of the nodes.
+/// (I − S)^m a = a − N u with u = Σ_k t_k, t_1 = M⁻¹ Nᵀ V a, t_{k+1} = (I − M⁻¹ Nᵀ V N) t_k, k up to m: all but the
+/// first and the last sweep work on numbers of the nodes.
 template <int Dim>
 void subtract_smooth(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, int m) {
   SmoothingNodes& nodes = state.nodes.smoothing;

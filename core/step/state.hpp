@@ -4,6 +4,7 @@
 #include "core/base/phase_clock.hpp"
 #include "core/interface/material.hpp"
 #include "core/interface/nonlocal_averager.hpp"
+#include "core/interface/velocity_transfer.hpp"
 #include "core/state/cell_order.hpp"
 #include "core/state/nodes.hpp"
 #include "core/step/stencil_blocks.hpp"
@@ -71,7 +72,7 @@ struct State {
   std::vector<CellSum> cell_sums;               ///< working space of the locking cure, by cell
   std::vector<FieldMoments<Dim>> field_moments; ///< working space of the stress filter, by block
   std::vector<double> filter_powers;            ///< working space of the stress filter, by block
-  std::vector<AlignedVector<double>> moments;   ///< working space of each thread in an affine transfer
+  TransferRoom<Dim> transfer_room;              ///< working space of the transfer
   PhaseClock clock;                             ///< for `riedel bench`
 };
 

@@ -2,21 +2,10 @@
 
 #include "core/step/boundary.hpp"
 #include "core/step/kernels/point_shares.hpp"
-#include "core/step/loads.hpp"
-#include "core/step/transfers/affine.hpp"
 
 namespace riedel {
 
 namespace {
-
-/// Adds what `fill(points, p, shares)` says that eight points give. @return whether no point strayed from its slab
-template <Use use, int Dim, class Fill>
-bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
-  return add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
-    fill(body.points, group.first, shares);
-    scatter<use>(group, shares, state.nodes);
-  });
-}
 
 /// Calls `add(i, power)` for every node, and sums the powers block by block.
 template <int Dim, class Add>
@@ -42,39 +31,12 @@ double least_mass(const State<Dim>& state, const Model<Dim>& model) {
 } // namespace
 
 template <int Dim>
-void points_to_grid(State<Dim>& state, const Model<Dim>& model) {
-  const auto fill = [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
-    put_mass_and_momentum(points, p, shares);
-    put_forces(points, p, model.confining_pressure, shares);
-  };
-  if (is_affine(model.transfer))
-    affine_points_to_grid<Use::both>(state, model);
-  else
-    sum_from_zero(state, model, [&](Body<Dim>& body) { return add_shares<Use::both>(state, model, body, fill); });
-  add_surface_tractions(state, model);
-  add_body_forces(state, model);
-}
-
-template <int Dim>
-void map_mass_and_momentum(State<Dim>& state, const Model<Dim>& model) {
-  if (is_affine(model.transfer))
-    affine_points_to_grid<Use::values>(state, model);
-  else
-    sum_from_zero(state, model, [&](Body<Dim>& body) {
-      return add_shares<Use::values>(state, model, body, put_mass_and_momentum<Dim>);
-    });
-  divide_momentum(state, model);
-}
-
-template <int Dim>
 void map_forces(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);
   for (Body<Dim>& body : state.bodies)
     add_shares<Use::slopes>(state, model, body, [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
       put_forces(points, p, model.confining_pressure, shares);
     });
-  add_surface_tractions(state, model);
-  add_body_forces(state, model);
 }
 
 template <int Dim>
@@ -116,10 +78,6 @@ void divide_momentum(State<Dim>& state, const Model<Dim>& model) {
   state.node_power.end = power.end;
 }
 
-template void points_to_grid<2>(State<2>&, const Model<2>&);
-template void points_to_grid<3>(State<3>&, const Model<3>&);
-template void map_mass_and_momentum<2>(State<2>&, const Model<2>&);
-template void map_mass_and_momentum<3>(State<3>&, const Model<3>&);
 template void map_forces<2>(State<2>&, const Model<2>&);
 template void map_forces<3>(State<3>&, const Model<3>&);
 template void advance_momentum<2>(State<2>&, const Model<2>&, double);

@@ -2,32 +2,34 @@
 
 #include "core/step/boundary.hpp"
 #include "core/step/grid_to_points.hpp"
+#include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
 #include "core/step/locking.hpp"
 #include "core/step/stress_filter.hpp"
 #include "core/step/stress_update.hpp"
 #include "core/step/transfer.hpp"
-#include "core/step/transfers/xpic.hpp"
 
 namespace riedel {
 
 template <int Dim>
 void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
-  keep_stencils(state, model);         // domains deform on the way, weights must not
-  map_mass_and_momentum(state, model); // m_i, (mv)_i, v_i
-  find_cells(state, model);            // F-bar alone
-  filter_stresses(state, model, dt);   // now and then, if asked for: σ_p and ln J_p without what no node sees
+  const VelocityTransfer<Dim>& transfer = *model.transfer;
+  keep_stencils(state, model);                  // domains deform on the way, weights must not
+  transfer.map_mass_and_momentum(state, model); // m_i, (mv)_i
+  divide_momentum(state, model);                // v_i = (mv)_i/m_i
+  find_cells(state, model);                     // F-bar alone
+  filter_stresses(state, model, dt);            // now and then, if asked for: σ_p and ln J_p without what no node sees
   apply_boundary_velocities(state, model, state.time);
   const double power_before = state.node_power.end; // of the last forces with the velocities of these strains
   update_kinematics(state, model, dt);              // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
   average_dilatation(state, model, dt);             // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
   update_stress(state, model, dt);                  // d*, rotation, law
-  map_forces(state, model);                         // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip, loads
+  map_forces(state, model);                         // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip
+  add_loads(state, model);                          // f_i of surface tractions and body forces
   advance_momentum(state, model, dt);               // a_i = f_i/m_i + g, v_i = (mv)_i/m_i + a_i Δt
   apply_boundaries(state, model, dt);               // boundaries, reactions
-  filter_velocities(state, model);                  // XPIC alone: v_p without what the grid does not see
   state.node_power.end = power_before;
-  move_points(state, model, dt); // v_p, x_p
+  transfer.move_points(state, model, dt); // v_p, x_p
 }
 
 template void usf_step<2>(State<2>&, const Model<2>&, double);

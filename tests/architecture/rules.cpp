@@ -69,6 +69,8 @@ const std::map<std::string, Names>& rooms_in_sight() {
       {"core/campaign", up_to("core/run")},
       {"shapefunctions/kit", {"core/base", "core/state", "core/interface"}},
       {"shapefunctions", {"core/base", "core/state", "core/interface", "shapefunctions/kit"}},
+      {"transfers/kit", {"core/base", "core/state", "core/interface", "core/step"}},
+      {"transfers", {"core/base", "core/state", "core/interface", "core/step", "transfers/kit"}},
       {"materials/kit", {"core/base", "core/interface"}},
       {"materials/umat", {"core/base", "core/interface"}},
       {"materials", {"core/base", "core/interface", "materials/kit", "materials/umat"}},
@@ -174,12 +176,12 @@ Offences libraries_out_of_place(const SourceFile& file) {
   return found;
 }
 
-std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files) {
-  const Names everyday = {"linear", "elastic", "strain", "von", "coulomb"};
+std::vector<std::string> names_of_plugged_in(const std::vector<SourceFile>& files) {
+  const Names everyday = {"linear", "elastic", "strain", "von", "coulomb", "flip"};
   Names names;
   for (const SourceFile& file : files) {
     const std::string room = room_of(file.path), name = stem(file.path);
-    if ((room != "shapefunctions" && room != "materials") || name == "register") continue;
+    if ((room != "shapefunctions" && room != "materials" && room != "transfers") || name == "register") continue;
     bool distinct = false;
     std::istringstream words(split_words(name));
     for (std::string word; words >> word;) {
@@ -199,7 +201,7 @@ Offences names_in_core(const SourceFile& file, const std::vector<std::string>& n
     const bool quoted = name.starts_with('"');
     const std::regex pattern(quoted ? name : "\\b" + name + "\\b", std::regex::icase);
     const SourceFile searched = quoted ? file : SourceFile{file.path, split_words(file.text)};
-    const Offences more = lines_with(searched, pattern, "core names a scheme or law");
+    const Offences more = lines_with(searched, pattern, "core names a scheme, law or transfer");
     found.insert(found.end(), more.begin(), more.end());
   }
   return found;

@@ -20,9 +20,9 @@ Offences circles_of_includes(const std::vector<SourceFile>& files);
 /// A library with heavy or infectious headers is included in the few files named for it, and in tests.
 Offences libraries_out_of_place(const SourceFile& file);
 
-/// What core must not say: the names of schemes and laws, taken from the files of shapefunctions/ and materials/.
-/// A name made of everyday words only, such as `linear`, is forbidden as a quoted text.
-std::vector<std::string> names_of_schemes_and_laws(const std::vector<SourceFile>& files);
+/// What core must not say: the names of schemes, laws and transfers, taken from the files of shapefunctions/,
+/// materials/ and transfers/. A name made of everyday words only, such as `linear`, is forbidden as a quoted text.
+std::vector<std::string> names_of_plugged_in(const std::vector<SourceFile>& files);
 Offences names_in_core(const SourceFile& file, const std::vector<std::string>& names);
 
 /// In core, outside core/setup, a kind of boundary condition is included by its own source and the register alone.

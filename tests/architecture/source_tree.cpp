@@ -10,7 +10,7 @@ namespace riedel::architecture {
 std::vector<SourceFile> read_tree(const std::string& root) {
   namespace fs = std::filesystem;
   std::vector<SourceFile> files;
-  for (const char* folder : {"core", "shapefunctions", "materials", "nonlocal", "apps", "tests"}) {
+  for (const char* folder : {"core", "shapefunctions", "materials", "nonlocal", "transfers", "apps", "tests"}) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(root) / folder)) {
       const fs::path extension = entry.path().extension();
       if (extension != ".hpp" && extension != ".ipp" && extension != ".cpp") continue;

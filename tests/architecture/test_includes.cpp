@@ -40,7 +40,7 @@ TEST(House, HasNoCircleOfIncludes) { EXPECT_THAT(circles_of_includes(house()), I
 TEST(House, KeepsEveryLibraryInItsFiles) { EXPECT_THAT(offences(libraries_out_of_place), IsEmpty()); }
 
 TEST(House, NamesNoSchemeAndNoLawInCore) {
-  const std::vector<std::string> names = names_of_schemes_and_laws(house());
+  const std::vector<std::string> names = names_of_plugged_in(house());
   EXPECT_THAT(names, testing::Not(IsEmpty()));
   EXPECT_THAT(offences([&](const SourceFile& file) { return names_in_core(file, names); }), IsEmpty());
 }

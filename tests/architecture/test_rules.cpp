@@ -123,7 +123,7 @@ TEST(RuleOnNames, TakesTheDistinctWordsOfTheFilesAndQuotesEverydayOnes) {
                                          {"shapefunctions/linear.hpp", ""},
                                          {"core/base/types.hpp", ""},
                                          {"shapefunctions/kit/tensor_product.hpp", ""}};
-  EXPECT_THAT(names_of_schemes_and_laws(files), ElementsAre("\"linear\"", "castle", "sand"));
+  EXPECT_THAT(names_of_plugged_in(files), ElementsAre("\"linear\"", "castle", "sand"));
 }
 
 TEST(RuleOnNames, FindsANameInCoreInCodeAndInComments) {

@@ -19,7 +19,7 @@ std::vector<Columns*> columns_of(Points<Dim>& p) { // by hand, so that a field l
           &p.deformation_gradient,
           &p.velocity_gradient,
           &p.stress,
-          &p.affine,
+          &p.transfer_data,
           &p.state,
           &p.rate_norm,
           &p.averaged,
@@ -42,6 +42,7 @@ struct Shuffled {
     grid.origin.setConstant(-1.0);
     grid.nodes.fill(9);
     grid.nodes[Dim - 1] = 24;
+    points.transfer_data = Columns(2); // as a transfer may ask for them
     points.resize(count, 3);
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -1,7 +1,6 @@
 /// Tractions carried by points on a surface: it follows the deformed surface, whatever the order of the points.
 #include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
-#include "core/step/transfer.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
 #include "support/problems.hpp"
@@ -136,10 +135,10 @@ TEST(SurfaceTraction, DoesTheWorkOfItsForceOnTheMovingSide) {
 }
 
 /// A block that falls by a metre, across cells, points sorted anew on the way.
-Simulation<2> fallen_block(StepFunction<2> step, VelocityTransfer transfer, bool by_points) {
+Simulation<2> fallen_block(StepFunction<2> step, const std::string& chosen, bool by_points) {
   Model<2> model = model_with<2>("gimp");
   model.step = step;
-  model.transfer = transfer;
+  model.transfer = transfer<2>(chosen);
   model.cfl = 0.1;
   const Vec<2> g(3.0, -1e4);
   if (by_points)
@@ -153,9 +152,8 @@ Simulation<2> fallen_block(StepFunction<2> step, VelocityTransfer transfer, bool
 
 TEST(BodyForce, ThatIsTheSameEverywhereMovesPointsAndWorksAsGravity) {
   for (const StepFunction<2> step : {musl_step<2>, usl_step<2>, usf_step<2>})
-    for (const VelocityTransfer transfer : {VelocityTransfer::flip, VelocityTransfer::apic}) {
-      const Simulation<2> by_points = fallen_block(step, transfer, true),
-                          by_nodes = fallen_block(step, transfer, false);
+    for (const std::string& chosen : transfer_names()) {
+      const Simulation<2> by_points = fallen_block(step, chosen, true), by_nodes = fallen_block(step, chosen, false);
       const Points<2>&a = by_points.state().bodies[0].points, &b = by_nodes.state().bodies[0].points;
       ASSERT_LT(b.position_of(0)[1], -0.5) << "the block crosses no cell";
       for (Index p = 0; p < a.size(); ++p) {
@@ -177,7 +175,8 @@ TEST(BodyForce, ActsOnEachPointByItsPlaceAndTime) {
   const Points<2>& points = block.state.bodies[0].points;
   Vec<2> expected = Vec<2>::Zero(), sum = expected;
   for (Index p = 0; p < points.size(); ++p) expected += 2.0 * points.mass[0][p] * points.position_of(p);
-  points_to_grid(block.state, block.model);
+  block.model.transfer->points_to_grid(block.state, block.model);
+  add_loads(block.state, block.model);
   for (const NodeSums<2>& node : block.state.nodes.sums) sum += node.force;
   EXPECT_LT((sum - expected).norm(), 1e-12 * expected.norm());
 }

@@ -1,54 +1,14 @@
 /// Small problems for tests: blocks of points on a grid, with a scheme and a law taken from the catalogue by name.
 #pragma once
 
-#include "apps/built_in.hpp"
 #include "core/step/boundaries/prescribed_velocity.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/simulation.hpp"
+#include "support/named.hpp"
 
 #include <random>
 
 namespace riedel::test {
-
-inline const Catalogue& catalogue() {
-  static const Catalogue all = full_catalogue();
-  return all;
-}
-
-/// Whether a case can set `parameter` for a law.
-inline bool law_has(const std::string& law, std::string_view parameter) {
-  const Keys& keys = catalogue().materials.find(law).description.parameters;
-  return std::ranges::any_of(keys, [&](const Key& key) { return key.name == parameter; });
-}
-
-/// Of the laws that run with their defaults: a foreign one needs a library; those in tests/plugin have one.
-inline std::vector<std::string> law_names() {
-  std::vector<std::string> names = catalogue().materials.names();
-  std::erase_if(names, [](const std::string& name) { return law_has(name, "library"); });
-  return names;
-}
-
-inline std::vector<std::string> laws_with(std::string_view parameter) {
-  std::vector<std::string> names = law_names();
-  std::erase_if(names, [&](const std::string& name) { return !law_has(name, parameter); });
-  return names;
-}
-
-inline std::shared_ptr<const Material> material(const std::string& name, std::map<std::string, Value> with = {}) {
-  const auto& entry = catalogue().materials.find(name);
-  Values values(entry.description.parameters);
-  for (auto& [key, value] : with) values.set(key, value);
-  return entry.make(values);
-}
-
-template <int Dim>
-std::shared_ptr<const ShapeFunction<Dim>> scheme(const std::string& name,
-                                                 const std::map<std::string, Value>& with = {}) {
-  const auto& entry = catalogue().in<Dim>().schemes.find(name);
-  Values values(entry.description.parameters);
-  for (const auto& [key, value] : with) values.set(key, value);
-  return entry.make(values);
-}
 
 /// Stencils of points that have just been put where they are.
 template <int Dim>
@@ -119,8 +79,5 @@ Model<Dim> model_with(const std::string& scheme_name) {
   model.step = musl_step<Dim>;
   return model;
 }
-
-/// Names of all registered schemes, for parameterised suites.
-inline std::vector<std::string> scheme_names() { return catalogue().in_2d.schemes.names(); }
 
 } // namespace riedel::test

@@ -80,9 +80,9 @@ TEST_P(AllocationTest, AreNoneInAStepWithFBar) {
 }
 
 TEST_P(AllocationTest, AreNoneInAStepOfAnyTransfer) {
-  for (const std::string transfer : {"apic", "tpic", "xpic"})
+  for (const std::string& transfer : transfer_names())
     for (const std::string order : {"musl", "usl", "usf"}) {
-      if (transfer == "apic" && !scheme<2>(GetParam())->spreads_points()) continue;
+      if (!goes_with(transfer, GetParam()) || !riedel::test::transfer<2>(transfer)->traits().goes_with(order)) continue;
       const BiaxialCase values = coarse_values(
           {"scheme=" + GetParam(), "time.order=" + order, "time.transfer=" + transfer, "nonlocal.length=0.0"});
       Simulation<2> simulation = warm(make_biaxial(values, catalogue()));

@@ -27,7 +27,7 @@ Simulation<2> column(const std::string& scheme_name, Index cells, Index per_cell
       {{"youngs_modulus", density * gravity * height / strain}, {"poissons_ratio", 0.0}, {"density", density}});
   Model<2> model = model_with<2>(scheme_name);
   model.gravity = {0.0, -gravity};
-  model.flip = 0.0;
+  model.transfer = transfer<2>("flip", {{"flip", 0.0}});
   const auto still = [](double) { return 0.0; };
   const Counts<2> last{state.grid.nodes[0] - 1, state.grid.nodes[1] - 1};
   model.conditions = prescribe_each<2>({{"left", {0, 0}, {margin, last[1]}, 0, still},

@@ -73,7 +73,7 @@ Simulation<2> column(const ColumnCase& of, int axis) {
                                         {"right", from(across, margin + 1), last, across, still},
                                         {"bottom", {0, 0}, to(axis, margin), axis, still},
                                         {"top", from(axis, margin + cells), last, axis, platen_velocity}});
-  model.flip = of.flip;
+  model.transfer = transfer<2>("flip", {{"flip", of.flip}});
   model.moving_grids.push_back({.axis = axis, .fixed_row = margin, .moving_row = margin + cells, .platen = "top"});
   return {std::move(model), std::move(state)};
 }

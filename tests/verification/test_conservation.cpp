@@ -87,7 +87,7 @@ Course collide(const std::string& scheme_name, const Order& order, double flip) 
   const double speed = 1.0; // 3 % of the wave speed
   Model<2> model = model_with<2>(scheme_name);
   model.step = order.step;
-  model.flip = flip;
+  model.transfer = transfer<2>("flip", {{"flip", flip}});
   model.cfl = 0.2;
   Simulation<2> simulation(std::move(model), two_discs(1.0, speed));
   const Course c = run_and_check_conservation(simulation, 0.12, mass_of_points(simulation.state()) * speed);
@@ -121,7 +121,7 @@ TEST_P(ConservationTest, KeepsMassAndMomentumOfABodyThatVibratesInFreeFlight) {
       }
       Model<3> model = model_with<3>(GetParam());
       model.step = step;
-      model.flip = flip;
+      model.transfer = transfer<3>("flip", {{"flip", flip}});
       Simulation<3> simulation(std::move(model), std::move(state));
       run_and_check_conservation(simulation, 0.03, mass_of_points(simulation.state()) * 3.0); // 1.8 cells
     }

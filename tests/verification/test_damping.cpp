@@ -1,4 +1,5 @@
 /// The rate at which a biaxial test damps by itself.
+#include "transfers/flip.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gtest/gtest.h>
@@ -8,9 +9,9 @@ namespace {
 
 TEST(Damping, GrowsInverselyWithTheSpeedOfASlowTest) {
   const auto damping = [](const std::string& speed) {
-    return make_biaxial<2>(biaxial_values({"loading.speed=" + speed, "grid.cells=[4,14]"}), catalogue())
-        .model()
-        .damping.value();
+    const Simulation<2> simulation =
+        make_biaxial<2>(biaxial_values({"loading.speed=" + speed, "grid.cells=[4,14]"}), catalogue());
+    return dynamic_cast<const Flip<2>&>(*simulation.model().transfer).blend().damping.value();
   };
   EXPECT_EQ(damping("0.1"), damping("0.5"));
   EXPECT_EQ(damping("0.1"), damping("0.05"));

@@ -1,7 +1,7 @@
 /// A bar under a traction on its end, with the end anywhere in a cell: where domains fill the bar, the nodes of a
 /// uniform stress are in equilibrium, also the last ones.
+#include "core/step/loads.hpp"
 #include "core/step/locate.hpp"
-#include "core/step/transfer.hpp"
 #include "support/schemes.hpp"
 
 #include <cstdio>
@@ -32,7 +32,8 @@ double imbalance(const std::string& scheme_name, double start) {
   model.surface_tractions.push_back(std::move(load));
   Simulation<2> simulation(std::move(model), std::move(state));
   locate_points(simulation.state(), simulation.model());
-  points_to_grid(simulation.state(), simulation.model());
+  simulation.model().transfer->points_to_grid(simulation.state(), simulation.model());
+  add_loads(simulation.state(), simulation.model());
   double greatest = 0.0;
   for (const NodeSums<2>& node : simulation.state().nodes.sums) greatest = std::max(greatest, node.force.norm());
   return greatest / (traction * h);
@@ -67,7 +68,8 @@ TEST_P(EndTraction, IsExactForEverySchemeAsAVirtualStress) {
   model.confining_pressure = traction;
   Simulation<2> simulation(std::move(model), std::move(state));
   locate_points(simulation.state(), simulation.model());
-  points_to_grid(simulation.state(), simulation.model());
+  simulation.model().transfer->points_to_grid(simulation.state(), simulation.model());
+  add_loads(simulation.state(), simulation.model());
   for (const NodeSums<2>& node : simulation.state().nodes.sums) EXPECT_LT(node.force.norm(), 1e-12 * traction * h);
 }
 

@@ -125,7 +125,7 @@ Strip squeeze(const std::string& scheme_name, StepFunction<2> step, Locking lock
   Model<2> model = model_with<2>(scheme_name);
   model.step = step;
   model.locking = locking;
-  model.flip = 0.9;
+  model.transfer = transfer<2>("flip", {{"flip", 0.9}});
   const Index top = margin + cells, right = state.grid.nodes[0] - 1, last = state.grid.nodes[1] - 1;
   // One period of 1 − cos: at its end the plate is at rest again.
   const auto motion = [=](double t) {

@@ -82,7 +82,7 @@ void a_body_in_uniform_translation_stays_free_of_stress(const std::string& name,
   VerifySetup<Dim> patch = make_patch<Dim>(given);
   patch.model.step = step;
   patch.model.locking = locking;
-  patch.model.flip = 0.98;
+  patch.model.transfer = transfer<Dim>("flip", {{"flip", 0.98}});
   Watch watch(given);
   EXPECT_LT(error_of_translation(std::move(patch), watch), scheme<Dim>(name)->traits().translation_error);
 }

@@ -76,14 +76,14 @@ TEST(Threads, ChangeNoBitOfTheBiaxialTestWithAnyAverager) {
 }
 
 /// Ends of a run of an elastic block, its stencils in blocks and kept.
-std::array<std::vector<double>, 2> ends_of_both_ways(const std::string& name, VelocityTransfer transfer) {
+std::array<std::vector<double>, 2> ends_of_both_ways(const std::string& name, const std::string& chosen) {
   std::array<std::vector<double>, 2> ends;
   for (const bool keep : {false, true}) {
     State<2> state = elastic_state<2>({6, 20}, 0.1, 2, 6, [](const Vec<2>&) { return true; });
     Points<2>& points = state.bodies[0].points;
     for (Index p = 0; p < points.size(); ++p) points.velocity[1][p] = std::sin(9.0 * points.position[0][p]);
     Model<2> model = model_with<2>(name);
-    model.transfer = transfer;
+    model.transfer = transfer<2>(chosen);
     model.keep_stencils = keep;
     Simulation<2> simulation(std::move(model), std::move(state));
     for (int i = 0; i < 40; ++i) simulation.step();
@@ -96,11 +96,10 @@ std::array<std::vector<double>, 2> ends_of_both_ways(const std::string& name, Ve
 /// Block by block in every sweep, or once for the whole step.
 TEST(Stencils, GiveTheSameBitsKeptAsInBlocks) {
   for (const std::string& name : scheme_names())
-    for (const VelocityTransfer transfer :
-         {VelocityTransfer::flip, VelocityTransfer::apic, VelocityTransfer::tpic, VelocityTransfer::xpic}) {
-      if (transfer == VelocityTransfer::apic && !scheme<2>(name)->spreads_points()) continue;
-      const auto [in_blocks, kept] = ends_of_both_ways(name, transfer);
-      EXPECT_TRUE(same_bits(in_blocks, kept)) << name << ", transfer " << static_cast<int>(transfer);
+    for (const std::string& chosen : transfer_names()) {
+      if (!goes_with(chosen, name)) continue;
+      const auto [in_blocks, kept] = ends_of_both_ways(name, chosen);
+      EXPECT_TRUE(same_bits(in_blocks, kept)) << name << ", " << chosen;
     }
 }
 
@@ -113,7 +112,7 @@ TEST(Threads, ChangeNoBitInAnyOrderOfTheStep) {
 }
 
 TEST(Threads, ChangeNoBitInAnyTransfer) {
-  for (const std::string transfer : {"apic", "tpic", "xpic"})
+  for (const std::string& transfer : transfer_names())
     for (const std::string order : {"musl", "usl", "usf"}) {
       const BiaxialCase values = lively({"time.transfer=" + transfer, "time.order=" + order, "nonlocal.length=0.0"});
       EXPECT_TRUE(same_bits(after_steps(values, 1, 40), after_steps(values, 4, 40))) << transfer << ", " << order;
@@ -141,8 +140,8 @@ TEST(Threads, ChangeNoBitWithFBar) {
 }
 
 /// A tall elastic block, wrung and stretched at the start.
-std::vector<double> wrung_block(const std::string& scheme_name, int threads,
-                                VelocityTransfer transfer = VelocityTransfer::flip, Locking locking = Locking::none) {
+std::vector<double> wrung_block(const std::string& scheme_name, int threads, const std::string& chosen = "flip",
+                                Locking locking = Locking::none) {
   omp_set_num_threads(threads);
   State<3> state = elastic_state<3>({3, 3, 24}, 0.1, 1, 5, [](const Vec<3>&) { return true; });
   Points<3>& points = state.bodies[0].points;
@@ -153,7 +152,7 @@ std::vector<double> wrung_block(const std::string& scheme_name, int threads,
     points.velocity[2][p] = 3.0 * points.position[2][p];
   }
   Model<3> model = model_with<3>(scheme_name);
-  model.transfer = transfer;
+  model.transfer = transfer<3>(chosen);
   model.locking = locking;
   Simulation<3> simulation(std::move(model), std::move(state));
   for (int i = 0; i < 50; ++i) simulation.step();
@@ -162,19 +161,18 @@ std::vector<double> wrung_block(const std::string& scheme_name, int threads,
 }
 
 TEST(Threads, ChangeNoBitInThreeDimensions) {
-  for (const VelocityTransfer transfer :
-       {VelocityTransfer::flip, VelocityTransfer::apic, VelocityTransfer::tpic, VelocityTransfer::xpic}) {
-    const std::vector<double> alone = wrung_block("cpdi", 1, transfer);
-    EXPECT_TRUE(same_bits(wrung_block("cpdi", 2, transfer), alone)) << static_cast<int>(transfer);
-    EXPECT_TRUE(same_bits(wrung_block("cpdi", 4, transfer), alone)) << static_cast<int>(transfer);
+  for (const std::string& chosen : transfer_names()) {
+    const std::vector<double> alone = wrung_block("cpdi", 1, chosen);
+    EXPECT_TRUE(same_bits(wrung_block("cpdi", 2, chosen), alone)) << chosen;
+    EXPECT_TRUE(same_bits(wrung_block("cpdi", 4, chosen), alone)) << chosen;
   }
   for (const std::string scheme_name : {"cpdi2", "ddmp"}) {
     const std::vector<double> alone = wrung_block(scheme_name, 1);
     EXPECT_TRUE(same_bits(wrung_block(scheme_name, 2), alone)) << scheme_name;
     EXPECT_TRUE(same_bits(wrung_block(scheme_name, 4), alone)) << scheme_name;
   }
-  const std::vector<double> alone = wrung_block("gimp", 1, VelocityTransfer::flip, Locking::f_bar);
-  EXPECT_TRUE(same_bits(wrung_block("gimp", 4, VelocityTransfer::flip, Locking::f_bar), alone)) << "F-bar";
+  const std::vector<double> alone = wrung_block("gimp", 1, "flip", Locking::f_bar);
+  EXPECT_TRUE(same_bits(wrung_block("gimp", 4, "flip", Locking::f_bar), alone)) << "F-bar";
 }
 
 } // namespace

@@ -40,9 +40,9 @@ Model<Dim> without_forces(Model<Dim> model) {
 
 template <int Dim>
 void expect_the_papers_filter(const std::string& scheme_name, int m) {
-  for (const Order<Dim>& order : orders<Dim>) {
-    const Transfer transfer{"xpic", VelocityTransfer::xpic, 1.0, m};
-    Simulation<Dim> simulation(without_forces(model_with<Dim>(scheme_name, transfer, order.step)),
+  for (const StepOrder<Dim>& order : orders_of_step<Dim>) {
+    const Transfer chosen{"xpic", "xpic", {{"xpic_order", m}}};
+    Simulation<Dim> simulation(without_forces(model_with<Dim>(scheme_name, chosen, order.step)),
                                shaken_block<Dim>(few_cells<Dim>()));
     const State<Dim>& state = simulation.state();
     const Eigen::MatrixXd S = weights(state, *simulation.model().scheme), before = velocities(state);
@@ -67,9 +67,8 @@ TEST_P(TransferFormulaTest, XpicTakesOutThePowersOfWhatTheGridDoesNotSee) {
 
 /// The points' order may change in a run, so velocities are compared by id.
 template <int Dim>
-Eigen::MatrixXd after_steps(const std::string& scheme_name, const Transfer& transfer, StepFunction<Dim> step,
-                            int steps) {
-  Model<Dim> model = model_with<Dim>(scheme_name, transfer, step);
+Eigen::MatrixXd after_steps(const std::string& scheme_name, const Transfer& chosen, StepFunction<Dim> step, int steps) {
+  Model<Dim> model = model_with<Dim>(scheme_name, chosen, step);
   model.cfl = 0.2;
   Simulation<Dim> simulation(std::move(model), shaken_block<Dim>(few_cells<Dim>()));
   for (int i = 0; i < steps; ++i) simulation.step();
@@ -81,8 +80,8 @@ Eigen::MatrixXd after_steps(const std::string& scheme_name, const Transfer& tran
 }
 
 TEST_P(TransferFormulaTest, XpicOfOrderOneIsPic) {
-  const Transfer xpic1{"xpic 1", VelocityTransfer::xpic, 1.0, 1};
-  for (const Order<2>& order : orders<2>) {
+  const Transfer xpic1{"xpic 1", "xpic", {{"xpic_order", 1}}};
+  for (const StepOrder<2>& order : orders_of_step<2>) {
     const Eigen::MatrixXd V = after_steps<2>(GetParam(), pic, order.step, 10);
     EXPECT_LT((after_steps<2>(GetParam(), xpic1, order.step, 10) - V).norm(), 1e-12 * V.norm()) << order.name;
     EXPECT_GT((after_steps<2>(GetParam(), xpic2, order.step, 10) - V).norm(), 1e-2 * V.norm()) << order.name;
@@ -101,24 +100,25 @@ Mat<Dim> second_moment(const State<Dim>& state, const Eigen::MatrixXd& S, Index 
 }
 
 template <int Dim>
-void expect_a_linear_field_to_stay(const std::string& scheme_name, const Transfer& transfer, const Order<Dim>& order) {
-  SCOPED_TRACE(std::string(transfer.name) + ", " + order.name);
+void expect_a_linear_field_to_stay(const std::string& scheme_name, const Transfer& chosen,
+                                   const StepOrder<Dim>& order) {
+  SCOPED_TRACE(std::string(chosen.label) + ", " + order.name);
   Mat<3> all;
   all << 0.3, -2.0, 0.7, 1.1, -0.4, 0.2, 0.5, 0.9, -0.6;
   const Mat<Dim> C = all.topLeftCorner<Dim, Dim>();
   const Vec<Dim> constant = Vec<3>(0.4, -0.3, 0.2).head<Dim>();
   State<Dim> start = shaken_block<Dim>(few_cells<Dim>());
-  Simulation<Dim> simulation(without_forces(model_with<Dim>(scheme_name, transfer, order.step)), std::move(start));
+  Simulation<Dim> simulation(without_forces(model_with<Dim>(scheme_name, chosen, order.step)), std::move(start));
   State<Dim>& state = simulation.state();
   Points<Dim>& points = state.bodies[0].points;
   const Eigen::MatrixXd S = weights(state, *simulation.model().scheme);
   std::vector<Mat<Dim>> kept;
   for (Index p = 0; p < points.size(); ++p) {
-    kept.push_back(transfer.transfer == VelocityTransfer::apic ? Mat<Dim>(C * second_moment(state, S, p)) : C);
+    kept.push_back(chosen.name == "apic" ? Mat<Dim>(C * second_moment(state, S, p)) : C);
     const Vec<Dim> v = constant + C * points.position_of(p);
     for (int i = 0; i < Dim; ++i) {
       points.velocity[i][p] = v[i];
-      for (int a = 0; a < Dim; ++a) points.affine[i * Dim + a][p] = kept.back()(i, a);
+      for (int a = 0; a < Dim; ++a) points.transfer_data[i * Dim + a][p] = kept.back()(i, a);
     }
   }
   const Eigen::MatrixXd before = velocities(state);
@@ -127,7 +127,7 @@ void expect_a_linear_field_to_stay(const std::string& scheme_name, const Transfe
   for (Index p = 0; p < points.size(); ++p) {
     Mat<Dim> after;
     for (int i = 0; i < Dim; ++i)
-      for (int a = 0; a < Dim; ++a) after(i, a) = points.affine[i * Dim + a][p];
+      for (int a = 0; a < Dim; ++a) after(i, a) = points.transfer_data[i * Dim + a][p];
     const double scale = kept[static_cast<std::size_t>(p)].norm();
     ASSERT_LT((after - kept[static_cast<std::size_t>(p)]).norm(), 1e-5 * scale) << p;
     ASSERT_LT((points.velocity_gradient_of(p) - C).norm(), 1e-5) << p;
@@ -135,10 +135,10 @@ void expect_a_linear_field_to_stay(const std::string& scheme_name, const Transfe
 }
 
 TEST_P(TransferFormulaTest, AffineTransfersPassOnALinearFieldExactly) {
-  for (const Transfer& transfer : {apic, tpic}) {
-    if (!offers(transfer)) continue;
-    for (const Order<2>& order : orders<2>) expect_a_linear_field_to_stay<2>(GetParam(), transfer, order);
-    for (const Order<3>& order : orders<3>) expect_a_linear_field_to_stay<3>(GetParam(), transfer, order);
+  for (const Transfer& chosen : {apic, tpic}) {
+    if (!offers(chosen)) continue;
+    for (const StepOrder<2>& order : orders_of_step<2>) expect_a_linear_field_to_stay<2>(GetParam(), chosen, order);
+    for (const StepOrder<3>& order : orders_of_step<3>) expect_a_linear_field_to_stay<3>(GetParam(), chosen, order);
   }
 }
 

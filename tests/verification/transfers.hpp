@@ -1,8 +1,7 @@
 /// Problems for tests of the transfers of velocities.
 #pragma once
 
-#include "core/step/usf.hpp"
-#include "core/step/usl.hpp"
+#include "core/step/orders.hpp"
 #include "support/problems.hpp"
 
 #include <gtest/gtest.h>
@@ -12,32 +11,25 @@ namespace riedel::test {
 constexpr double density = 1000.0, h = 0.05;
 const std::map<std::string, Value> soft{{"youngs_modulus", 1e6}, {"poissons_ratio", 0.3}, {"density", density}};
 
+/// A transfer with numbers of its own.
 struct Transfer {
-  const char* name;
-  VelocityTransfer transfer;
-  double flip = 1.0;
-  int order = 2;
+  std::string label, name;
+  std::map<std::string, Value> with = {};
+
+  template <int Dim>
+  [[nodiscard]] std::shared_ptr<const VelocityTransfer<Dim>> made() const {
+    return transfer<Dim>(name, with);
+  }
 };
-constexpr Transfer flip{"flip", VelocityTransfer::flip}, pic{"pic", VelocityTransfer::flip, 0.0},
-    blend{"flip 0.98", VelocityTransfer::flip, 0.98}, apic{"apic", VelocityTransfer::apic},
-    tpic{"tpic", VelocityTransfer::tpic}, xpic2{"xpic 2", VelocityTransfer::xpic},
-    xpic5{"xpic 5", VelocityTransfer::xpic, 1.0, 5};
+inline const Transfer flip{"flip", "flip", {{"flip", 1.0}}}, pic{"pic", "flip", {{"flip", 0.0}}},
+    blend{"flip 0.98", "flip", {{"flip", 0.98}}}, apic{"apic", "apic"}, tpic{"tpic", "tpic"}, xpic2{"xpic 2", "xpic"},
+    xpic5{"xpic 5", "xpic", {{"xpic_order", 5}}};
 
 template <int Dim>
-struct Order {
-  const char* name;
-  StepFunction<Dim> step;
-};
-template <int Dim>
-constexpr std::array<Order<Dim>, 3> orders{{{"musl", musl_step<Dim>}, {"usl", usl_step<Dim>}, {"usf", usf_step<Dim>}}};
-
-template <int Dim>
-Model<Dim> model_with(const std::string& scheme, const Transfer& transfer, StepFunction<Dim> step) {
+Model<Dim> model_with(const std::string& scheme, const Transfer& chosen, StepFunction<Dim> step) {
   Model<Dim> model = model_with<Dim>(scheme);
   model.step = step;
-  model.transfer = transfer.transfer;
-  model.flip = transfer.flip;
-  model.xpic_order = transfer.order;
+  model.transfer = chosen.made<Dim>();
   return model;
 }
 
@@ -70,9 +62,7 @@ State<Dim> shaken_block(Counts<Dim> cells) {
 class TransferTest : public testing::TestWithParam<std::string> {
 protected:
   void SetUp() override { omp_set_num_threads(1); } // too small to share
-  static bool offers(const Transfer& transfer) {
-    return transfer.transfer != VelocityTransfer::apic || scheme<2>(GetParam())->spreads_points();
-  }
+  static bool offers(const Transfer& chosen) { return goes_with(chosen.name, GetParam()); }
 };
 
 } // namespace riedel::test

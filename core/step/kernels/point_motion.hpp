@@ -28,18 +28,17 @@ NewMotion<Dim> new_motion(const Gathered<Dim>& sum, const Points<Dim>& points, I
   return motion;
 }
 
-/// The lanes of a group that belong to its slab; the others are another thread's.
-inline void store_lanes(double* column, const Pack& values, Range lanes) {
-  if (lanes.size() == pack_size) return values.store(column);
-  std::array<double, pack_size> lane;
-  values.store(lane.data());
-  std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
-}
-
 /// x_p ← x_p + way.
 template <int Dim>
 void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pack, Dim>>& way) {
   for (int a = 0; a < Dim; ++a) (Pack::load(points.position[a] + p) + way[a]).store(points.position[a] + p);
+}
+
+/// v_p and x_p after the step.
+template <int Dim>
+void take_up(const NewMotion<Dim>& motion, Points<Dim>& points, Index p) {
+  for (int a = 0; a < Dim; ++a) motion.velocity[a].store(points.velocity[a] + p);
+  move(points, p, motion.way);
 }
 
 /// F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.

@@ -1,6 +1,7 @@
 /// What eight points have to give to the grid.
 #pragma once
 
+#include "core/step/kernels/point_motion.hpp"
 #include "core/step/kernels/scatter.hpp"
 
 namespace riedel {
@@ -29,6 +30,47 @@ void put_forces(const Points<Dim>& points, Index p, double pressure, Shares<Dim>
       force[i][j] = force[j][i] = i == j ? V * (stress + Pack(pressure)) : V * stress * Pack(std::numbers::sqrt2 / 2);
     }
   shares.force.put(force);
+}
+
+/// m_p v of eight points, without m_p, for nodes that have their masses already.
+template <int Dim>
+std::array<Pack, 4> momenta(const Points<Dim>& points, Index p, const std::array<Pack, Dim>& velocity) {
+  const Pack m = Pack::load(points.mass[0] + p);
+  std::array<Pack, 4> columns;
+  columns.fill(Pack(0.0));
+  for (int a = 0; a < Dim; ++a) columns[a] = m * velocity[a];
+  return columns;
+}
+
+template <int Dim>
+void clear_momentum(Nodes<Dim>& nodes) {
+  parallel_for(nodes.size(), [&](Index i) { nodes.sums[i].momentum.setZero(); });
+}
+
+/// Adds what `fill(points, p, shares)` says that eight points give. @return whether no point strayed from its slab
+template <Use use, int Dim, class Fill>
+bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
+  return add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
+    fill(body.points, group.first, shares);
+    scatter<use>(group, shares, state.nodes);
+  });
+}
+
+/// The lanes of a group that belong to its slab; the others are another thread's.
+inline void store_lanes(double* column, const Pack& values, Range lanes) {
+  if (lanes.size() == pack_size) return values.store(column);
+  std::array<double, pack_size> lane;
+  values.store(lane.data());
+  std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
+}
+
+/// v_p, and the way that the points of a slab have yet to go.
+template <int Dim>
+void keep(const NewMotion<Dim>& motion, Body<Dim>& body, const SlabGroup<Dim>& group) {
+  for (int a = 0; a < Dim; ++a) {
+    store_lanes(body.points.velocity[a] + group.first, motion.velocity[a], group.lanes);
+    store_lanes(body.way[a] + group.first, motion.way[a], group.lanes);
+  }
 }
 
 } // namespace riedel

@@ -1,8 +1,16 @@
-#include "core/step/transfers/moments.hpp"
+/// Moments of stencils about their points.
+#pragma once
+
+#include "core/step/pack_matrix.hpp"
+#include "core/step/state.hpp"
 
 namespace riedel {
 
-namespace {
+template <int Dim>
+struct Moments {
+  StencilEntries<Dim> first; ///< the stencils with N_ip (x_i − x_p) in the place of ∇N_ip [m]
+  PackMatrix<Dim> second;    ///< D_p = Σ_i N_ip (x_i − x_p) ⊗ (x_i − x_p) [m²]
+};
 
 /// x_i − x_p of eight nodes and points.
 template <int Dim>
@@ -23,8 +31,8 @@ std::array<Pack, Dim> distances(const Grid<Dim>& grid, const Counts<Dim>& stride
   return r;
 }
 
-} // namespace
-
+/// @param stencils of eight points from p on
+/// @param room for the first moments: Dim times eight numbers for each entry
 template <int Dim>
 Moments<Dim> moments_of(const StencilEntries<Dim>& stencils, const Grid<Dim>& grid, const Points<Dim>& points, Index p,
                         double* room) {
@@ -50,8 +58,5 @@ Moments<Dim> moments_of(const StencilEntries<Dim>& stencils, const Grid<Dim>& gr
     for (int b = 0; b < a; ++b) D[b][a] = D[a][b];
   return moments;
 }
-
-template Moments<2> moments_of<2>(const StencilEntries<2>&, const Grid<2>&, const Points<2>&, Index, double*);
-template Moments<3> moments_of<3>(const StencilEntries<3>&, const Grid<3>&, const Points<3>&, Index, double*);
 
 } // namespace riedel

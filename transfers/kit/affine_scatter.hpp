@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/step/kernels/scatter.hpp"
-#include "core/step/transfers/moments.hpp"
+#include "transfers/kit/moments.hpp"
 
 namespace riedel {
 

@@ -1,5 +1,4 @@
-/// The affine particle-in-cell transfer, APIC: Jiang, Schroeder, Selle, Teran & Stomakhin (2015), ACM Trans. Graph.
-/// 34(4), 51; Jiang, Schroeder & Teran (2017), J. Comput. Phys. 338, 137–164.
+/// What APIC keeps of the slope of the velocity: see transfers/apic.hpp.
 #pragma once
 
 #include "core/step/kernels/gather.hpp"
@@ -9,19 +8,18 @@ namespace riedel {
 
 /// A point keeps B_p = Σ_i N_ip v_i ⊗ (x_i − x_p) [m²/s], its share of the angular momentum, from the stencil that it
 /// took its velocity with, and gives its nodes the slope C_p = B_p D_p⁻¹ with D_p of the stencil in force.
-struct Apic {
+template <int Dim>
+struct ApicSlope {
   static constexpr bool keeps_gradient = false;
 
   /// Σ_i N_ip v_i and B_p of eight points. @return B_p by columns
-  template <int Dim>
-  static PackMatrix<Dim> gather_slope(const StencilEntries<Dim>& /*stencil*/, const StencilEntries<Dim>& moments,
-                                      const Nodes<Dim>& nodes, Gathered<Dim>& sum) {
-    gather<Use::both>(moments, nodes.motion, sum);
+  static PackMatrix<Dim> gather(const StencilEntries<Dim>& /*stencil*/, const StencilEntries<Dim>& moments,
+                                const Nodes<Dim>& nodes, Gathered<Dim>& sum) {
+    riedel::gather<Use::both>(moments, nodes.motion, sum);
     return sum.gradient.vectors();
   }
 
   /// C_p [1/s]
-  template <int Dim>
   static PackMatrix<Dim> slope(const PackMatrix<Dim>& B, const PackMatrix<Dim>& D) {
     const PackMatrix<Dim> cofactors = cofactor(D);                              // D is symmetric
     const Pack per_determinant = Pack(1.0) / max(determinant(D), Pack(1e-300)); // lanes that are lost or not in use

@@ -1,0 +1,12 @@
+#include "transfers/tpic.hpp"
+
+#include "transfers/kit/affine.ipp"
+
+namespace riedel {
+
+template class AffineTransfer<2, TaylorSlope<2>, TakeFromGrid<2>>;
+template class AffineTransfer<3, TaylorSlope<3>, TakeFromGrid<3>>;
+template class Tpic<2>;
+template class Tpic<3>;
+
+} // namespace riedel
