@@ -1,5 +1,5 @@
-/// Plug-ins: shared libraries that bring laws, schemes, searches, averagers or boundary conditions of their own, and go
-/// through the same classes as the built-in ones. A plug-in is one source file that ends with, for example,
+/// Plug-ins: shared libraries that bring laws, schemes, searches, averagers, boundary conditions or transfers of their
+/// own, and go through the same classes as the built-in ones. A plug-in is one source file that ends with, for example,
 ///   RIEDEL_PLUGIN(riedel::material<Barodesy>)
 /// docs/howto/write_a_material.md goes from an equation to a run.
 #pragma once
@@ -112,7 +112,8 @@ void all_of(Catalogue& catalogue) {
 } // namespace riedel
 
 /// Exports a plug-in that brings what is named: material<Law>, scheme<Scheme>, neighbour_search<Search>,
-/// averager<Averager>, boundary_condition<Condition>, one or more, all from the namespace riedel.
+/// averager<Averager>, boundary_condition<Condition>, transfer<Transfer> of core/step/transfer_plugin.hpp, one or more,
+/// all from the namespace riedel.
 #define RIEDEL_PLUGIN(...)                                                                                             \
   extern "C" __attribute__((visibility("default")))                                                                    \
   const riedel::Plugin riedel_plugin{.enlist = riedel::all_of<__VA_ARGS__>};

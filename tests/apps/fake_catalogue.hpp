@@ -1,5 +1,5 @@
 /// A catalogue of names for tests of the input: its laws have parameters but no equations, its schemes no
-/// weights.
+/// weights, its transfers no motion.
 #pragma once
 
 #include "core/interface/catalogue.hpp"
@@ -35,6 +35,39 @@ private:
   bool spreads_;
 };
 
+/// Moves nothing.
+template <int Dim>
+class FakeTransfer final : public VelocityTransfer<Dim> {
+public:
+  explicit FakeTransfer(TransferTraits::Spread spread) : spread_(spread) {}
+
+  [[nodiscard]] TransferTraits traits() const override { return {.spread = spread_}; }
+  void map_mass_and_momentum(State<Dim>&, const Model<Dim>&) const override {}
+  void points_to_grid(State<Dim>&, const Model<Dim>&) const override {}
+  void move_points(State<Dim>&, const Model<Dim>&, double) const override {}
+  void grid_to_points(State<Dim>&, const Model<Dim>&, double) const override {}
+  void remap_velocity(State<Dim>&, const Model<Dim>&, double) const override {}
+
+private:
+  TransferTraits::Spread spread_;
+};
+
+/// With the parameters and the needs of those that cases know.
+template <int Dim>
+void add_fake_transfers(VelocityTransfers<Dim>& transfers) {
+  using Spread = TransferTraits::Spread;
+  const auto add = [&](const char* name, Spread spread, Keys parameters) {
+    transfers.add({name, "a transfer", "a paper", std::move(parameters)},
+                  [spread](const Values&) { return std::make_unique<FakeTransfer<Dim>>(spread); });
+  };
+  add("flip", Spread::any,
+      {{"damping", "auto", "1/s", at_least(0), "a rate", {"auto"}},
+       {"flip", "damping", "-", between(0, 1), "a share", {"damping"}}});
+  add("apic", Spread::needed, {});
+  add("tpic", Spread::wanted, {});
+  add("xpic", Spread::any, {{"xpic_order", std::int64_t{2}, "-", between(1, 40), "a power"}});
+}
+
 inline Catalogue fake_catalogue() {
   Catalogue catalogue;
   for (const std::string name : {"linear", "gimp", "cpgimp", "cpdi"})
@@ -45,6 +78,9 @@ inline Catalogue fake_catalogue() {
   for (const char* name : {"cgal_kd_tree", "cell_list"})
     catalogue.in_2d.searches.add({name, "a search", "a paper"}, [] { return nullptr; });
   catalogue.in_2d.averagers.add({"gauss", "an averager", "a paper"}, [](double, auto) { return nullptr; });
+
+  add_fake_transfers(catalogue.in_2d.transfers);
+  add_fake_transfers(catalogue.in_3d.transfers);
 
   const Keys sand{{"phi_c", 30.0, "deg", within(0, 90), "critical angle"},
                   {"h_s", 190e6, "Pa", more_than(0), "hardness"},

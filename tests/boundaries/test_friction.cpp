@@ -36,7 +36,7 @@ struct Incline {
     for (Index p = 0; p < points.size(); ++p) points.stress[1][p] = -1000.0 * across * (2 * h - points.position[1][p]);
     Model<2> model = model_with<2>(scheme);
     model.step = step;
-    model.flip = flip;
+    model.transfer = transfer<2>("flip", {{"flip", flip}});
     const auto along = [g_t = g * std::sin(angle), ramp = ramp](double t) { return ramped(g_t, ramp)(t); };
     model.gravity = {ramp > 0.0 ? 0.0 : along(0.0), -across};
     if (ramp > 0.0)

@@ -42,7 +42,7 @@ double energy_left(const Catalogue& catalogue, int axis, bool absorbs) {
       model.conditions.push_back(make(catalogue.in_2d.boundaries, "absorbing",
                                       {{"density", density}, {"pressure_wave", c_p}, {"shear_wave", c_s}}, "end",
                                       column_end(state.grid, *model.scheme, behind)));
-  model.flip = 1.0;
+  model.transfer = transfer<2>("flip", {{"flip", 1.0}});
   Simulation<2> simulation(std::move(model), std::move(state));
   const double start = simulation.energies().kinetic, duration = cells * h / (axis == 1 ? c_p : c_s);
   while (simulation.state().time < duration) simulation.step();

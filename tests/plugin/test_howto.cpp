@@ -63,7 +63,7 @@ TEST_P(Howto, HasCommandsThatRun) {
 
 INSTANTIATE_TEST_SUITE_P(Pages, Howto,
                          testing::Values("README.md", "docs/howto/write_a_material.md", "docs/howto/write_a_scheme.md",
-                                         "docs/howto/use_a_umat.md"),
+                                         "docs/howto/add_a_transfer.md", "docs/howto/use_a_umat.md"),
                          [](const auto& tested) { return std::filesystem::path(tested.param).stem().string(); });
 
 } // namespace

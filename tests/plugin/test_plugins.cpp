@@ -3,6 +3,7 @@
 #include "core/io/table.hpp"
 #include "plugin/plugins.hpp"
 #include "support/law.hpp"
+#include "transfers/contract.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -123,6 +124,74 @@ TEST(BoxedPlugin, BringsWhatIsToBeExpectedOfIt) {
   EXPECT_EQ(expected["square_crossing"], "1 to 2");
   EXPECT_EQ(expected["discs"], "below 0.01");
   EXPECT_EQ(expected["traction_bar"], "none");
+}
+
+template <int Dim>
+TransferPointer<Dim> asflip_of(const Catalogue& all, double share, double apart) {
+  const auto& entry = all.in<Dim>().transfers.find("asflip");
+  Values values(entry.description.parameters);
+  values.set("asflip", share);
+  values.set("asflip_apart", apart);
+  return entry.make(values);
+}
+
+TEST(AsflipPlugin, KeepsTheContractOfATransfer) {
+  const Catalogue all = catalogue_with(example("asflip"));
+  const TransferPointer<2> in_plane = asflip_of<2>(all, 0.97, 1.0);
+  const TransferPointer<3> in_space = asflip_of<3>(all, 0.97, 1.0);
+  expect_momenta_to_stay<2>(in_plane, "gimp");
+  expect_momenta_to_stay<3>(in_space, "cpdi");
+  expect_a_translation_to_stay<2>(in_plane, "gimp");
+  expect_a_translation_to_stay<3>(in_space, "cpdi");
+  expect_no_energy_to_be_gained<2>(in_plane, "gimp");
+  expect_the_same_bits_on_any_threads<2>(in_plane, "gimp");
+  expect_point_data_to_be_sorted<2>(in_plane, "gimp");
+}
+
+/// Velocities and places after some steps of a block that is shaken.
+std::vector<double> shaken_with(const TransferPointer<2>& chosen) {
+  State<2> state = scattered_block<2>({4, 3}, 1e5);
+  shake(state.bodies[0].points);
+  Model<2> model = model_of<2>("gimp", chosen, musl_step<2>);
+  model.fixed_time_step = 0.02 * cell;
+  Simulation<2> simulation(std::move(model), std::move(state));
+  for (int i = 0; i < 10; ++i) simulation.step();
+  const Points<2>& points = simulation.state().bodies[0].points;
+  std::vector<double> all;
+  for (Index id = 0; id < points.size(); ++id)
+    for (int a = 0; a < 2; ++a) {
+      const Index p = points.place[static_cast<std::size_t>(id)];
+      all.insert(all.end(), {points.velocity[a][p], points.position[a][p]});
+    }
+  return all;
+}
+
+TEST(AsflipPlugin, IsApicWithoutFlipAndMovesPointsThatHaveGrown) {
+  const Catalogue all = catalogue_with(example("asflip"));
+  const std::vector<double> apic = shaken_with(transfer<2>("apic")), pure = shaken_with(asflip_of<2>(all, 0.0, 1.0)),
+                            together = shaken_with(asflip_of<2>(all, 0.97, 0.0)),
+                            apart = shaken_with(asflip_of<2>(all, 0.97, 1.0));
+  for (std::size_t i = 0; i < apic.size(); ++i) EXPECT_NEAR(pure[i], apic[i], 1e-10);
+  EXPECT_NE(together, apic);
+  EXPECT_NE(apart, together);
+}
+
+TEST(AsflipPlugin, RunsInTheProgramByItsKeys) {
+  const TemporaryFolder folder;
+  const auto history = [&](const std::string& name, const Words& more) {
+    Words words = coarse_case(folder / name, {"--set", "time.plugin=" + example("asflip"), "--set", "nonlocal.length=0",
+                                              "--set", "output.vtk=false", "--set", "output.plots=false"});
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(folder, words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return read_table(folder / name / "history.csv")["phi_mob_deg"];
+  };
+  const auto usual = history("usual", {"--set", "time.transfer=asflip"});
+  EXPECT_NE(history("less", {"--set", "time.transfer=asflip", "--set", "time.asflip=0.5"}), usual);
+  EXPECT_NE(history("flip", {}), usual);
+  const Outcome listed = run(folder, {"list", "asflip", "--plugin", example("asflip")});
+  EXPECT_THAT(listed.out, HasSubstr("Fei, Guo, Wu, Huang & Gao (2021)"));
+  EXPECT_THAT(listed.out, HasSubstr("asflip_apart"));
 }
 
 TEST(PluginInTheProgram, ShowsItsParametersInListAndCheck) {
