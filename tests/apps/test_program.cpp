@@ -107,7 +107,8 @@ TEST_F(Program, ListsWhatACaseCanName) {
   EXPECT_THAT(run("list").out,
               AllOf(HasSubstr("gimp"), HasSubstr("gudehus_bauer"), HasSubstr("cell_list"), HasSubstr("gauss")));
   EXPECT_THAT(run("list materials").out, AllOf(StartsWith("materials\n"), HasSubstr("phi_c"), HasSubstr("deg")));
-  EXPECT_THAT(run("list lists").err, HasSubstr("known: schemes, materials, searches, averagers, boundaries, transfers, plugins"));
+  EXPECT_THAT(run("list lists").err,
+              HasSubstr("known: schemes, materials, searches, averagers, boundaries, transfers, plugins"));
 }
 
 TEST_F(Program, ListsAnEntryWhole) {
