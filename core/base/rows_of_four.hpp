@@ -4,7 +4,6 @@
 #include "core/base/few.hpp"
 #include "core/base/pack.hpp"
 
-#include <bit>
 #include <cstring>
 
 namespace riedel {
@@ -44,7 +43,8 @@ private:
   using Eight = Few<8>::Lanes;
   // By reference: vectors that a processor lacks cannot be returned in one way by all compilers.
   static void copy(const Pack& pack, Eight& lanes) { std::memcpy(&lanes, &pack, sizeof(lanes)); }
-  static Pack pack(const Eight& lanes) { return std::bit_cast<Pack>(lanes); }
+  /// Not by std::bit_cast, which takes a reference to something as aligned as clang has its vectors.
+  static Pack pack(const Eight& lanes) { return __builtin_bit_cast(Pack, lanes); }
   /// Rows k and k + 4.
   void put_pair(Index k, const Eight& rows) {
     Few<4> half;

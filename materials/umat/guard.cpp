@@ -129,8 +129,8 @@ void try_heap_after_crash() {
 /// These stand before those of the C library, so that a UMAT's STOP, which is exit, comes here: inside a call it ends
 /// the call, elsewhere it does what it always does.
 extern "C" {
-[[noreturn]] void exit(int code) { riedel::end_program("exit", code); }
-[[noreturn]] void _exit(int code) { riedel::end_program("_exit", code); }
-[[noreturn]] void _Exit(int code) { riedel::end_program("_Exit", code); }
-[[noreturn]] void quick_exit(int code) { riedel::end_program("quick_exit", code); }
+__attribute__((noreturn)) void exit(int code) { riedel::end_program("exit", code); }
+__attribute__((noreturn)) void _exit(int code) { riedel::end_program("_exit", code); }
+__attribute__((noreturn)) void _Exit(int code) { riedel::end_program("_Exit", code); }
+__attribute__((noreturn)) void quick_exit(int code) { riedel::end_program("quick_exit", code); }
 }
