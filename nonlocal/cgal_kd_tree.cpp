@@ -71,7 +71,15 @@ void CgalKdTree<Dim>::find(const Columns& positions, double radius, NeighbourRow
   });
 }
 
+template <int Dim>
+void add_cgal_kd_tree(NeighbourSearches<Dim>& searches) {
+  searches.add({"cgal_kd_tree", "k-d tree of CGAL", "Bentley (1975), Commun. ACM 18"},
+               [] { return std::make_unique<CgalKdTree<Dim>>(); });
+}
+
 template class CgalKdTree<2>;
 template class CgalKdTree<3>;
+template void add_cgal_kd_tree<2>(NeighbourSearches<2>&);
+template void add_cgal_kd_tree<3>(NeighbourSearches<3>&);
 
 } // namespace riedel

@@ -12,4 +12,8 @@ public:
   void find(const Columns& positions, double radius, NeighbourRows& rows) override;
 };
 
+/// Adds it, or, in a build without CGAL, tells how to get it.
+template <int Dim>
+void add_cgal_kd_tree(NeighbourSearches<Dim>& searches);
+
 } // namespace riedel

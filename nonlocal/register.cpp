@@ -25,8 +25,7 @@ auto make_averager() {
 
 template <int Dim>
 void register_nonlocal(CatalogueOf<Dim>& catalogue) {
-  catalogue.searches.add({"cgal_kd_tree", "k-d tree of CGAL", "Bentley (1975), Commun. ACM 18"},
-                         make_search<CgalKdTree<Dim>>());
+  add_cgal_kd_tree(catalogue.searches);
   catalogue.searches.add({"cell_list", "bins a radius wide, without CGAL", "Hockney & Eastwood (1981)"},
                          make_search<CellList<Dim>>());
   catalogue.averagers.add({"gauss", "sum over pairs with Gauss's weights, cut at 3 l_c",

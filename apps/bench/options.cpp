@@ -26,7 +26,8 @@ const Options& choices() {
        catalogue.in_2d.transfers.names()},
       {"length", "A,B", "l_c in m, or with a unit: 1.5mm; 0 is local; default: 0"},
       {"averager", "A,B", "default: gauss", true, catalogue.in_2d.averagers.names()},
-      {"search", "A,B", "for neighbours; default: cgal_kd_tree", true, catalogue.in_2d.searches.names()},
+      {"search", "A,B", "for neighbours; default: " + catalogue.in_2d.searches.names().front(), true,
+       catalogue.in_2d.searches.names()},
       {"filter", "N,M", "steps from one filtering of the stresses to the next, 20 in a biaxial test; default: 0, none"},
       {"stencils", "A,B", "kept for a step, evaluated in blocks, or auto; default: auto", true, stencil_memory()},
       {"threads", "N,M", "default: 1"},
@@ -113,7 +114,8 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
   all = vary(all, &BenchCase::per_cell, integers(arguments, "per-cell", {"2"}, 1, 8));
   all = vary(all, &BenchCase::length, lengths);
   const Texts averagers = arguments.names("averager", {otherwise.averager}, catalogue.in_2d.averagers.names());
-  const Texts searches = arguments.names("search", {otherwise.search}, catalogue.in_2d.searches.names());
+  const Texts searches =
+      arguments.names("search", {catalogue.in_2d.searches.names().front()}, catalogue.in_2d.searches.names());
   all = vary(vary(all, &BenchCase::averager, averagers), &BenchCase::search, searches);
   all = vary(all, &BenchCase::order, arguments.names("order", {otherwise.order}, step_orders()));
   all = vary(all, &BenchCase::transfer,

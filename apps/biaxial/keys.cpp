@@ -3,6 +3,7 @@
 #include "apps/built_in.hpp"
 #include "core/case/interpolation_keys.hpp"
 #include "core/case/step_keys.hpp"
+#include "core/io/with_vtk.hpp"
 
 #include <algorithm>
 
@@ -63,7 +64,13 @@ Keys averaging_keys(const Catalogue& catalogue) {
   return {
       {"nonlocal.length", 1.5e-3, "m", at_least(0), "characteristic length l_c; 0: local"},
       {"nonlocal.variable", "rate_norm", "", any, "scalar of the law that is averaged"},
-      {"nonlocal.search", "cgal_kd_tree", "", any, "search for neighbours", catalogue.in_2d.searches.names()},
+      {.name = "nonlocal.search",
+       .default_value = catalogue.in_2d.searches.names().front(),
+       .unit = "",
+       .bounds = any,
+       .doc = "search for neighbours",
+       .choices = catalogue.in_2d.searches.names(),
+       .left_out = catalogue.in_2d.searches.left_out()},
       {"nonlocal.averager", "gauss", "", any, "way of averaging", catalogue.in_2d.averagers.names()},
       plugin_key("nonlocal", "the search or the averager"),
   };
@@ -73,8 +80,8 @@ Keys output_keys() {
   return {
       {"output.every_strain", 0.0005, "-", within(0, 1), "vertical strain between rows of history.csv"},
       {"output.frames_every_strain", 0.005, "-", within(0, 1), "vertical strain between frames for ParaView"},
-      {"output.vtk", true, "", any, "write points.pvd and domains.pvd"},
-      {"output.plots", true, "", any, "write pictures (PNG)"},
+      key_for_vtk("output.vtk", "write points.pvd and domains.pvd"),
+      key_for_vtk("output.plots", "write pictures (PNG)"),
       {"output.band_void_ratio", 0.70, "-", more_than(0), "a point belongs to the shear band from this void ratio on"},
   };
 }

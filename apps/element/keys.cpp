@@ -9,6 +9,7 @@
 #include "core/case/interpolation_keys.hpp"
 #include "core/case/step_keys.hpp"
 #include "core/case/transfer_keys.hpp"
+#include "core/io/with_vtk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +100,7 @@ Keys mpm_keys(const Catalogue& catalogue) {
 Keys output_keys() {
   return {{"output.every_strain", 5e-4, "-", within(0, 1),
            "strain between rows of element.csv at most; rows are closer where the stress turns"},
-          {"output.plots", true, "", any, "write pictures (PNG)"}};
+          key_for_vtk("output.plots", "write pictures (PNG)")};
 }
 
 void refine_law(Keys& keys) {

@@ -36,6 +36,8 @@ struct Key {
   std::string doc;
   std::vector<std::string> choices = {}; ///< for texts with a closed list; empty: any text
   bool any_length = false;               ///< for lists: as many entries as the user likes
+  /// Values, as a case spells them, that this build does without, and how to get them, as the end of a sentence.
+  std::map<std::string, std::string> left_out = {};
 
   /// A number, or a word of `choices` that may also be replaced by a number because the key has a unit (`step =
   /// "auto"`).

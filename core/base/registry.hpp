@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace riedel {
@@ -35,13 +36,18 @@ public:
     if (known(description.name)) throw PluginError("two " + kind_ + "s are named '" + description.name + "'");
     entries_.push_back({std::move(description), std::move(make)});
   }
+  /// Names an entry that this build does without. @param how to get it, as the end of a sentence
+  void leave_out(std::string name, std::string how) { left_out_.insert_or_assign(std::move(name), std::move(how)); }
+  [[nodiscard]] const std::map<std::string, std::string>& left_out() const { return left_out_; }
   [[nodiscard]] bool known(std::string_view name) const {
     return std::ranges::any_of(entries_, [&](const Entry& e) { return e.description.name == name; });
   }
-  /// Throws InputError that lists the known names.
+  /// Throws InputError that lists the known names, or tells how to get one that was left out.
   [[nodiscard]] const Entry& find(std::string_view name) const {
     for (const Entry& entry : entries_)
       if (entry.description.name == name) return entry;
+    if (const auto missing = left_out_.find(std::string(name)); missing != left_out_.end())
+      throw InputError(kind_ + " '" + missing->first + "' " + missing->second + "; known: " + names_text());
     throw InputError("unknown " + kind_ + " '" + std::string(name) + "'; known: " + names_text());
   }
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
@@ -60,6 +66,7 @@ private:
   }
   std::string kind_;
   std::vector<Entry> entries_;
+  std::map<std::string, std::string> left_out_;
 };
 
 } // namespace riedel

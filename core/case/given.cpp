@@ -64,9 +64,14 @@ std::int64_t integer_from(const Scalar& item, const Key& key) {
   return *integer;
 }
 
+void refuse_left_out(const std::string& value, const Key& key) {
+  if (const auto missing = key.left_out.find(value); missing != key.left_out.end()) throw InputError(missing->second);
+}
+
 /// A text: one of the choices, any text, or a quantity when the key takes numbers too.
 Value text_from(const Scalar& item, const Key& key) {
   const auto* text = std::get_if<std::string>(&item);
+  if (text != nullptr) refuse_left_out(*text, key);
   const bool listed = text != nullptr && std::ranges::find(key.choices, *text) != key.choices.end();
   if (listed || (text != nullptr && key.choices.empty() && !key.takes_number())) return *text;
   if (key.takes_number()) return number_from(item, key);
@@ -100,6 +105,7 @@ Value convert_plainly(const Given& given, const Key& key) {
   if (std::holds_alternative<double>(key.default_value)) return number_from(item, key);
   if (std::holds_alternative<std::int64_t>(key.default_value)) return integer_from(item, key);
   if (!std::holds_alternative<bool>(item)) throw InputError("is not true or false");
+  refuse_left_out(std::get<bool>(item) ? "true" : "false", key);
   return std::get<bool>(item);
 }
 
@@ -113,7 +119,7 @@ std::string wanted(const Key& key) {
     return "a list of " + std::to_string(list->size()) + ", each an integer" + range_text(key.bounds) + ", such as " +
            toml_text(key.default_value);
   if (std::holds_alternative<std::int64_t>(key.default_value)) return "an integer" + range_text(key.bounds);
-  if (std::holds_alternative<bool>(key.default_value)) return "true or false";
+  if (std::holds_alternative<bool>(key.default_value)) return key.left_out.contains("true") ? "false" : "true or false";
   if (!key.takes_number()) return key.choices.empty() ? "any text" : joined(key.choices);
   return (key.choices.empty() ? "" : joined(key.choices) + ", or ") + number_wanted(key, "a number");
 }

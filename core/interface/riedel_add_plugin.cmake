@@ -3,7 +3,8 @@
 function(riedel_add_plugin name)
   add_library(${name} MODULE ${ARGN})
   target_link_libraries(${name} PRIVATE riedel::core)
-  target_compile_options(${name} PRIVATE -fno-math-errno -fno-trapping-math --param=avoid-fma-max-bits=0)
+  target_compile_options(${name} PRIVATE -fno-math-errno -fno-trapping-math
+                                                $<$<CXX_COMPILER_ID:GNU>:--param=avoid-fma-max-bits=0>)
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX .so CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF
                                            CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()

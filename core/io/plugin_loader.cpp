@@ -37,6 +37,11 @@ std::string this_version() { return RIEDEL_VERSION; }
 
 std::string series(const std::string& version) { return version.substr(0, version.rfind('.')); }
 
+/// g++ tells its number alone.
+std::string compiler_named(const std::string& version) {
+  return (version.find("lang") == std::string::npos ? "g++ " : "") + version;
+}
+
 /// The exported object, if both sides understand each other.
 const Plugin& checked(const Library& library, const std::filesystem::path& path) {
   const char* const symbol = "riedel_plugin";
@@ -50,8 +55,9 @@ const Plugin& checked(const Library& library, const std::filesystem::path& path)
   if (series(plugin.version) != series(own.version))
     refuse(path, "was compiled for Riedel " + std::string(plugin.version) + ", and this is " + this_version() + mend);
   if (plugin.sizes != own.sizes)
-    refuse(path, "was compiled by g++ " + std::string(plugin.compiler) + ", this program by g++ " + own.compiler +
-                     ", and they lay out types differently" + mend + ", with its compiler and options");
+    refuse(path, "was compiled by " + compiler_named(plugin.compiler) + ", this program by " +
+                     compiler_named(own.compiler) + ", and they lay out types differently" + mend +
+                     ", with its compiler and options");
   return plugin;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/io/atomic_file.hpp"
+#include "core/io/with_vtk.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -168,6 +169,8 @@ void require_room(const Frame& frame) {
 }
 
 } // namespace
+
+bool with_vtk() { return true; }
 
 SeriesWriter::SeriesWriter(std::filesystem::path directory) : directory_(std::move(directory)) {
   make_directory(directory_ / "points");

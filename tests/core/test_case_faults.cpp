@@ -25,6 +25,25 @@ TEST_F(CaseFiles, AnIntegerThatHasAPointIsToldToLoseIt) {
   EXPECT_EQ(file("grid.cells = [0x10, 1_000]").validate(keys()).integers("grid.cells").front(), 16);
 }
 
+/// As without VTK, or without a search.
+TEST_F(CaseFiles, AValueThatThisBuildDoesWithoutIsRefusedWithHowToGetIt) {
+  Key plots{"output.plots", false, "", {}, "write"}, scheme = keys().front();
+  plots.left_out = {{"true", "takes VTK: configure with -DRIEDEL_WITH_VTK=ON"}};
+  scheme.left_out = {{"lme", "takes more"}};
+  const auto error = [&](std::string_view text) -> std::string {
+    try {
+      (void)file(text).validate({plots, scheme});
+    } catch (const InputError& refused) { return refused.what(); }
+    return "no error";
+  };
+  EXPECT_THAT(
+      error("[output]\nplots = true"),
+      HasSubstr("case.toml:2:9: output.plots: true takes VTK: configure with -DRIEDEL_WITH_VTK=ON; allowed: false"));
+  EXPECT_EQ(error("[output]\nplots = false"), "no error");
+  EXPECT_THAT(error("scheme = 'lme'"), HasSubstr("takes more; allowed: linear, gimp, cpdi"));
+  EXPECT_THAT(error("scheme = 'lm'"), HasSubstr("is not known"));
+}
+
 TEST_F(CaseFiles, AQuotedNameWithADotIsAnotherKey) {
   EXPECT_THAT(errors("\"grid.cells\" = [1, 1]"), HasSubstr(":1:16: \"grid.cells\": unknown key"));
   EXPECT_THAT(errors("\"a\\nb\" = 1"), HasSubstr("\"a\\u000ab\": unknown key")); // and its message has one line

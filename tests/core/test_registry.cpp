@@ -36,6 +36,15 @@ TEST(Registry, AnswersAnUnknownNameWithTheKnownOnes) {
                   AllOf(HasSubstr("scheme"), HasSubstr("'gmip'"), HasSubstr("linear"), HasSubstr("gimp"))));
 }
 
+TEST(Registry, TellsHowToGetWhatThisBuildDoesWithout) {
+  auto registry = two_entries();
+  registry.leave_out("cpdi", "takes corners, which this build does without");
+  EXPECT_FALSE(registry.known("cpdi"));
+  EXPECT_THAT([&] { (void)registry.find("cpdi"); },
+              ThrowsMessage<InputError>(
+                  testing::Eq("scheme 'cpdi' takes corners, which this build does without; known: linear, gimp")));
+}
+
 TEST(Registry, RefusesASecondEntryOfOneName) {
   auto registry = two_entries();
   EXPECT_THAT([&] { registry.add({.name = "gimp", .summary = "", .source = ""}, [] { return 3; }); },

@@ -1,5 +1,6 @@
-// The keys of a case name the steps, which readers never take: the fuzzers do without the library of core.
+// The keys of a case name the steps, which readers never take, and ask for VTK: the fuzzers do without the libraries.
 #include "core/io/commit.hpp"
+#include "core/io/with_vtk.hpp"
 #include "core/step/musl.hpp"
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
@@ -12,6 +13,8 @@ namespace riedel {
 namespace {
 [[noreturn]] void refuse() { throw std::logic_error("a reader takes no step"); }
 } // namespace
+
+bool with_vtk() { return true; }
 
 template <int Dim>
 void musl_step(State<Dim>&, const Model<Dim>&, double) {
