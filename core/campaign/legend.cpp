@@ -118,7 +118,7 @@ std::size_t place_of(std::vector<Thing>& seen, const Thing& thing) {
 std::string legend_label(const std::vector<Setting>& settings, const Keys& keys) {
   std::string label;
   for (const auto& [key, value] : settings) {
-    const auto alike = [&](const Setting& other) { return last_word(other.first) == last_word(key); };
+    const auto alike = [name = last_word(key)](const Setting& other) { return last_word(other.first) == name; };
     const std::string called = std::ranges::count_if(settings, alike) > 1 ? key : last_word(key);
     label += (label.empty() ? "" : ", ") + text_of(key, without_quotes(value), called, keys);
   }

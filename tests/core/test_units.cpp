@@ -39,7 +39,8 @@ TEST(Units, OfTheKeyMayHaveAPrefixToo) {
 
 TEST(Units, RefuseWhatMeasuresSomethingElse) {
   for (const auto& [text, unit] : {std::pair{"40 kPa", "m"}, {"3 s", "m/s"}, {"30 deg", "-"}, {"1 m2", "m"}})
-    EXPECT_THAT([&] { read_quantity(text, unit); }, testing::ThrowsMessage<InputError>("has a unit of another kind"));
+    EXPECT_THAT(([quantity = text, of = unit] { read_quantity(quantity, of); }),
+                testing::ThrowsMessage<InputError>("has a unit of another kind"));
 }
 
 TEST(Units, RefuseWhatIsNoQuantity) {
