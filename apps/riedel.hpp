@@ -5,6 +5,7 @@
 #include "core/io/history.hpp"
 #include "core/io/snapshot.hpp"
 #include "core/io/vtk_writer.hpp"
+#include "core/run/run.hpp"
 #include "core/setup/fill.hpp"
 #include "core/setup/walls.hpp"
 #include "core/step/boundaries/friction_wall.hpp"

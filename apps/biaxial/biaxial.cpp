@@ -5,6 +5,7 @@
 #include "apps/biaxial/report.hpp"
 #include "apps/built_in.hpp"
 #include "apps/commands.hpp"
+#include "core/base/thread_choice.hpp"
 #include "core/case/case_text.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/figure_json.hpp"
@@ -22,24 +23,6 @@
 namespace riedel {
 
 namespace {
-
-/// Watches a fixed time step: warns once when it exceeds the stable one, and remembers by how much at most.
-class TimeStepWatch {
-public:
-  template <int Dim>
-  void look(const Simulation<Dim>& simulation) {
-    const double limit = simulation.crossing_time(), share = simulation.time_step() / limit;
-    if (share > 1.0 && most_ <= 1.0)
-      print_warning("time.step = " + short_text(simulation.time_step()) + " s is over the stable limit, " +
-                    short_text(limit) + " s at step " + std::to_string(simulation.state().step) +
-                    ": the run may blow up, or be wrong without a sign");
-    most_ = std::max(most_, share);
-  }
-  [[nodiscard]] double most() const { return most_; } ///< time step over the stable limit [-]
-
-private:
-  double most_ = 0.0;
-};
 
 void write_summary(const std::filesystem::path& folder, nlohmann::ordered_json summary) {
   write_atomically(folder / "summary.json", json_text(summary));
@@ -61,29 +44,23 @@ void write_failure(const std::filesystem::path& folder, const std::string& reaso
 }
 
 template <int Dim>
-void advance(BiaxialRun<Dim>& run, const BiaxialCase& values, const Interrupt& interrupt, ThreadChoice& threads,
-             TimeStepWatch& watch) {
+void advance(BiaxialRun<Dim>& run, const BiaxialCase& values, const Interrupt& interrupt) {
   Progress progress("biaxial");
-  watch.look(run.simulation());
-  run.advance(
-      threads, [&] { return static_cast<bool>(interrupt); },
-      [&](const BiaxialRow& row) {
-        watch.look(run.simulation());
-        std::array<char, 48> note{};
-        std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h, row.angle);
-        progress.update(row.u_over_h / values.loading.final_strain, note.data());
-      });
-  run.finish();
+  run.advance([&] { return static_cast<bool>(interrupt); },
+              [&](const BiaxialRow& row) {
+                std::array<char, 48> note{};
+                std::snprintf(note.data(), note.size(), "u/h0 = %.2f %%, phi = %.1f deg", 100 * row.u_over_h,
+                              row.angle);
+                progress.update(row.u_over_h / values.loading.final_strain, note.data());
+              });
 }
 
 /// What a reader of the numbers must know before believing them.
 template <int Dim>
-void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& summary, double step_over_limit) {
+void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& summary) {
   for (const auto& [part, name] : {std::pair{"band", "shear band: "}, {"stress", "stresses: "}})
     if (const std::string doubt = text_in(summary.at(part), "doubt", ""); !doubt.empty()) print_warning(name + doubt);
-  if (step_over_limit > 1.0)
-    print_warning("the time step was " + short_text(step_over_limit) +
-                  " times the stable one: do not trust the result; use a smaller time.step, or \"auto\"");
+  if (const std::string doubt = run.time_step().doubt(); !doubt.empty()) print_warning(doubt);
   if (run.kinetic_over_internal() > quasi_static_limit)
     print_warning("the run is not quasi-static: kinetic energy reached " + short_text(run.kinetic_over_internal()) +
                   " of the internal one; use a smaller loading.speed");
@@ -108,18 +85,17 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   const BiaxialCase& values = order.test;
   require_threads(order.threads.most);
   ThreadChoice threads(order.threads);
-  BiaxialRun<Dim> run(values, order.catalogue, output.path());
+  BiaxialRun<Dim> run(values, order.catalogue, output.path(), [&](const auto& step) { threads.step(step); });
   output.replace();
   stage = Stage::begun;
   write_atomically(output.path() / "case.toml", case_text(order.given.keys, order.given.values));
   run.begin();
-  TimeStepWatch watch;
   const auto ending = [&](const std::string& status, const std::string& reason = "") {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    return BiaxialEnding{status, reason, wall.count(), threads.most_used(), watch.most()};
+    return BiaxialEnding{status, reason, wall.count(), threads.most_used(), run.time_step().greatest()};
   };
   try {
-    advance(run, values, interrupt, threads, watch);
+    advance(run, values, interrupt);
   } catch (const std::exception& failure) {
     try_to_write("the summary", [&] {
       const nlohmann::ordered_json result = biaxial_summary(run, values, ending("failed", reason_of(failure)));
@@ -136,7 +112,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   if (values.output.plots)
     try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });
   print_result(result, output.path(), pictures);
-  warn_of_doubts(run, result, watch.most());
+  warn_of_doubts(run, result);
   return interrupt ? interrupt.exit_code() : 0;
 }
 

@@ -49,7 +49,7 @@ std::vector<std::string> draw_biaxial(const std::vector<BiaxialRow>& rows, const
                          .component = field.component,
                          .unit = field.unit,
                          .title = title_of(values),
-                         .subtitle = "u/h₀ = " + fixed_text(100.0 * section.u_over_h, 2) + " %",
+                         .subtitle = "u/h₀ = " + fixed_text(100.0 * section.scalar("u_over_h"), 2) + " %",
                          .label = field.label});
   }
   return names;

@@ -29,49 +29,46 @@ const std::vector<std::string> columns{"step",
                                        "block_velocity_m_per_s",
                                        "transfer_J_per_m"};
 constexpr double swing_part = 0.01; ///< u/h0 at the end of a run over which the blocks' velocity is looked at
-constexpr double settled = 0.005;   ///< u/h0 before which the internal energy is too small to compare with
 } // namespace
 
 template <int Dim>
-BiaxialRun<Dim>::BiaxialRun(const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder)
+BiaxialRun<Dim>::BiaxialRun(const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder,
+                            Stepper stepper)
     : values_(values),
       depth_(specimen_depth(values)),
       simulation_(make_biaxial<Dim>(values, catalogue)),
       speed_(ramped(values.loading.speed, values.loading.ramp_time)),
       start_(places_of(simulation_.state())),
-      folder_(std::move(folder)) {
+      folder_(std::move(folder)),
+      loop_(simulation_, std::move(stepper)) {
   if (values.output.vtk) series_.emplace(folder_);
+  const auto strain = [this] { return u_over_h(); };
+  loop_.after_steps(1, [this] { add_up_force(); });
+  loop_.every(values.output.every_strain, strain, [this] { add_row(); });
+  loop_.every(values.output.frames_every_strain, strain, [this] { add_frame(); });
+  loop_.until("final strain", [this] { return u_over_h() >= values_.loading.final_strain; });
 }
 
 template <int Dim>
 void BiaxialRun<Dim>::begin() {
   history_.emplace(folder_ / "history.csv", columns);
-  add_row();
-  add_frame();
+  loop_.begin();
 }
 
 template <int Dim>
-void BiaxialRun<Dim>::advance(ThreadChoice& threads, const std::function<bool()>& stop,
-                              const std::function<void(const BiaxialRow&)>& at_row) {
-  const double final_strain = values_.loading.final_strain;
-  while (u_over_h() < final_strain && !stop()) {
-    threads.step([&] { simulation_.step(); });
-    const double dt = simulation_.time_step();
-    u_ += speed_(simulation_.state().time) * dt;
-    force_sum_ += platen_force(simulation_, values_) * dt;
-    force_time_ += dt;
-    if (u_over_h() >= next_row_) {
-      add_row();
-      at_row(rows_.back());
-    }
-    if (u_over_h() >= next_frame_) add_frame();
-  }
+void BiaxialRun<Dim>::advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row) {
+  at_row_ = at_row;
+  loop_.until("stop", stop);
+  loop_.go();
+  loop_.finish();
 }
 
 template <int Dim>
-void BiaxialRun<Dim>::finish() {
-  if (rows_.back().step != simulation_.state().step) add_row();
-  if (last_frame_step_ != simulation_.state().step) add_frame();
+void BiaxialRun<Dim>::add_up_force() {
+  const double dt = simulation_.time_step();
+  u_ += speed_(simulation_.state().time) * dt;
+  impulse_ += platen_impulse(simulation_, values_);
+  impulse_time_ += dt;
 }
 
 template <int Dim>
@@ -79,7 +76,7 @@ void BiaxialRun<Dim>::add_row() {
   const State<Dim>& state = simulation_.state();
   const double at_rest = values_.loading.confining_pressure * values_.specimen.width;
   BiaxialRow row{.step = state.step, .time = state.time, .u_over_h = u_over_h()};
-  row.force = force_time_ > 0.0 ? force_sum_ / force_time_ : at_rest;
+  row.force = impulse_time_ > 0.0 ? impulse_ / impulse_time_ : at_rest;
   row.angle = mobilised_angle(row.force, values_);
   const Energies energies = simulation_.energies();
   row.energies = {.kinetic = energies.kinetic / depth_,
@@ -100,35 +97,26 @@ void BiaxialRun<Dim>::add_row() {
       static_cast<double>(row.out_of_bounds), row.true_angle, row.energies.filter, row.quality.alternation,
       static_cast<double>(row.quality.stressless), row.quality.block_velocity, row.energies.transfer});
   rows_.push_back(row);
-  force_sum_ = force_time_ = 0.0;
-  next_row_ += values_.output.every_strain;
+  impulse_ = impulse_time_ = 0.0;
+  kinetic_.record(row.u_over_h, row.energies);
+  time_step_.record(simulation_);
+  if (at_row_) at_row_(row);
 }
 
 template <int Dim>
 void BiaxialRun<Dim>::add_frame() {
   if (series_) series_->write(frame());
-  last_frame_step_ = simulation_.state().step;
-  next_frame_ += values_.output.frames_every_strain;
 }
 
 template <int Dim>
 Frame BiaxialRun<Dim>::frame() const {
-  return snapshot(simulation_, u_over_h(), start_);
+  return snapshot(simulation_, start_, {{"u_over_h", u_over_h()}});
 }
 
 template <int Dim>
 Frame BiaxialRun<Dim>::section() const {
   if constexpr (Dim == 2) return frame();
   return mean_over_depth(frame(), depth_);
-}
-
-template <int Dim>
-double BiaxialRun<Dim>::kinetic_over_internal() const {
-  double most = std::nan("");
-  for (const BiaxialRow& row : rows_)
-    if (row.u_over_h >= settled && row.energies.internal != 0.0)
-      most = std::fmax(most, row.energies.kinetic / std::abs(row.energies.internal));
-  return most;
 }
 
 template <int Dim>

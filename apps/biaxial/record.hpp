@@ -3,10 +3,11 @@
 
 #include "apps/biaxial/cheap_quality.hpp"
 #include "apps/biaxial/specimen.hpp"
-#include "core/base/thread_choice.hpp"
 #include "core/io/history.hpp"
 #include "core/io/snapshot.hpp"
 #include "core/io/vtk_writer.hpp"
+#include "core/run/run.hpp"
+#include "core/run/watches.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -28,16 +29,21 @@ struct BiaxialRow {
 template <int Dim>
 class BiaxialRun {
 public:
+  using Stepper = typename Run<Dim>::Stepper;
+
   /// Makes the specimen; the folder receives nothing but places for frames. Throws InputError or RunError.
-  BiaxialRun(const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder);
+  /// @param stepper does a step, on as many threads as it likes
+  BiaxialRun(
+      const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder,
+      Stepper stepper = [](const auto& step) { step(); });
+  BiaxialRun(const BiaxialRun&) = delete;
+  BiaxialRun& operator=(const BiaxialRun&) = delete;
 
   /// Writes the first row and frame. Throws RunError.
   void begin();
-  /// Goes on until the final strain, or until `stop()` says so between two steps. Throws RunError.
-  void advance(ThreadChoice& threads, const std::function<bool()>& stop,
-               const std::function<void(const BiaxialRow&)>& at_row);
-  /// Writes a row and a frame of the present, if they are not written yet.
-  void finish();
+  /// Goes on until the final strain, or until `stop()` says so between two steps, and ends with a row and a frame.
+  /// Throws RunError.
+  void advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row);
 
   [[nodiscard]] const Simulation<Dim>& simulation() const { return simulation_; }
   [[nodiscard]] const std::vector<BiaxialRow>& rows() const { return rows_; }
@@ -46,7 +52,8 @@ public:
   [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
   /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
   /// that far [-].
-  [[nodiscard]] double kinetic_over_internal() const;
+  [[nodiscard]] double kinetic_over_internal() const { return kinetic_.greatest(); }
+  [[nodiscard]] const TimeStepWatch& time_step() const { return time_step_; }
   /// The keys of summary.json that the run itself knows; null for what it cannot have.
   [[nodiscard]] nlohmann::ordered_json summary() const;
   /// Of summary.json's stress, what does not look at the band.
@@ -55,6 +62,7 @@ public:
 private:
   /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].
   [[nodiscard]] double residual_angle(double u_over_h_at_peak) const;
+  void add_up_force();
   void add_row();
   void add_frame();
 
@@ -66,12 +74,13 @@ private:
   std::filesystem::path folder_;
   std::optional<History> history_;
   std::optional<SeriesWriter> series_;
+  Run<Dim> loop_;
   std::vector<BiaxialRow> rows_;
-  double u_ = 0.0;         ///< displacement of the platen [m]
-  double force_sum_ = 0.0; ///< ∫ force dt since the last row
-  double force_time_ = 0.0;
-  std::int64_t last_frame_step_ = -1;
-  double next_row_ = 0.0, next_frame_ = 0.0; ///< u/h0 from which they are due
+  std::function<void(const BiaxialRow&)> at_row_;
+  KineticShare kinetic_;
+  TimeStepWatch time_step_;
+  double u_ = 0.0;                            ///< displacement of the platen [m]
+  double impulse_ = 0.0, impulse_time_ = 0.0; ///< ∫ force dt since the last row [N s/m], and over what time [s]
 };
 
 } // namespace riedel

@@ -110,6 +110,11 @@ double platen_force(const Simulation<Dim>& simulation, const BiaxialCase& values
          simulation.held("top").reaction / specimen_depth(values);
 }
 
+template <int Dim>
+double platen_impulse(const Simulation<Dim>& simulation, const BiaxialCase& values) {
+  return platen_force(simulation, values) * simulation.time_step();
+}
+
 double mobilised_angle(double force, const BiaxialCase& values) {
   const double sigma_1 = force / values.specimen.width, sigma_3 = values.loading.confining_pressure;
   return std::asin((sigma_1 - sigma_3) / (sigma_1 + sigma_3)) * 180.0 / std::numbers::pi;
@@ -145,5 +150,7 @@ template Simulation<2> make_biaxial<2>(const BiaxialCase&, const Catalogue&);
 template Simulation<3> make_biaxial<3>(const BiaxialCase&, const Catalogue&);
 template double platen_force<2>(const Simulation<2>&, const BiaxialCase&);
 template double platen_force<3>(const Simulation<3>&, const BiaxialCase&);
+template double platen_impulse<2>(const Simulation<2>&, const BiaxialCase&);
+template double platen_impulse<3>(const Simulation<3>&, const BiaxialCase&);
 
 } // namespace riedel

@@ -22,6 +22,9 @@ void set_biaxial_step(Model<Dim>& model, const BiaxialCase& values, const Catalo
 /// Vertical force on the top platen, compression positive, with the part that balances the confining pressure [N/m].
 template <int Dim>
 double platen_force(const Simulation<Dim>& simulation, const BiaxialCase& values);
+/// The same times the last time step [N s/m].
+template <int Dim>
+double platen_impulse(const Simulation<Dim>& simulation, const BiaxialCase& values);
 
 /// φ_mob = asin((σ1 − σ3)/(σ1 + σ3)) with σ1 = force/b0 and σ3 the confining pressure [deg].
 double mobilised_angle(double force, const BiaxialCase& values);

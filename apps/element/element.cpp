@@ -31,7 +31,7 @@ namespace riedel {
 namespace {
 
 /// One of the cases that a command runs.
-struct Run {
+struct ElementRun {
   Variant variant;
   CheckedCase checked;
   std::filesystem::path folder;
@@ -67,12 +67,12 @@ CaseFile given_case(const Arguments& arguments, const std::string& test) {
   return given;
 }
 
-std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, const Catalogue& catalogue,
-                         const std::filesystem::path& folder) {
+std::vector<ElementRun> runs_of(const Arguments& arguments, const std::string& test, const Catalogue& catalogue,
+                                const std::filesystem::path& folder) {
   const auto wishes = arguments.options.find("vary");
   const std::vector<Variation> variations =
       wishes == arguments.options.end() ? std::vector<Variation>{} : variations_of(wishes->second);
-  std::vector<Run> runs;
+  std::vector<ElementRun> runs;
   std::vector<NamedCase> cases;
   for (Variant& variant : variants_of(given_case(arguments, test), variations)) {
     CheckedCase checked = element_case(variant.given, catalogue);
@@ -84,7 +84,7 @@ std::vector<Run> runs_of(const Arguments& arguments, const std::string& test, co
   return runs;
 }
 
-nlohmann::ordered_json summary_head(const Run& run) {
+nlohmann::ordered_json summary_head(const ElementRun& run) {
   return {{"case", "element"},
           {"test", run.checked.values.text("test")},
           {"version", version()},
@@ -92,7 +92,7 @@ nlohmann::ordered_json summary_head(const Run& run) {
           {"material", run.checked.values.text("material.model")}};
 }
 
-void write_summary(const Run& run, const ElementCurve& curve, double wall) {
+void write_summary(const ElementRun& run, const ElementCurve& curve, double wall) {
   nlohmann::ordered_json all = summary_head(run);
   all.update(element_summary(curve));
   all["wall_s"] = wall;
@@ -112,7 +112,7 @@ struct Manner {
 };
 
 /// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
-ElementCurve carry_out(const Run& run, const Manner& manner) {
+ElementCurve carry_out(const ElementRun& run, const Manner& manner) {
   const Values& values = run.checked.values;
   const std::string& test = values.text("test");
   write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
@@ -135,7 +135,7 @@ ElementCurve carry_out(const Run& run, const Manner& manner) {
 }
 
 /// The same in a folder of its own; what ends the test by surprise is told in the summary.
-ElementCurve carry_out_safely(const Run& run, const Manner& manner) {
+ElementCurve carry_out_safely(const ElementRun& run, const Manner& manner) {
   try {
     return carry_out(run, manner);
   } catch (const std::exception& error) {
@@ -160,7 +160,7 @@ void print_result(const NamedCurve& named) {
 }
 
 /// Behind the test's name in a title: the law, and the void ratio and the pressure unless they are varied.
-std::string subject_of(const Run& run) {
+std::string subject_of(const ElementRun& run) {
   const Values& values = run.checked.values;
   const auto fixed = [&](const std::string& key) {
     return values.has(key) && run.variant.label.find(key.substr(key.rfind('.') + 1)) == std::string::npos;
@@ -211,13 +211,13 @@ int element(const Arguments& arguments) {
   const Catalogue catalogue = inventory(given_file(arguments, test)).catalogue;
   const std::filesystem::path folder = arguments.out(standard_folder(arguments, test));
   const ThreadRange threads = arguments.threads();
-  const std::vector<Run> runs = runs_of(arguments, test, catalogue, folder);
+  const std::vector<ElementRun> runs = runs_of(arguments, test, catalogue, folder);
   std::optional<Overlay> overlay;
   if (const auto path = arguments.text("reference")) overlay = read_overlay(*path, test);
 
   OutputFolder output(folder, arguments.command, arguments.force());
   const EarlierVariants earlier(folder, arguments.force());
-  for (const Run& run : runs)
+  for (const ElementRun& run : runs)
     if (run.folder != folder) const OutputFolder can_be_had(run.folder, arguments.command, arguments.force());
   const Interrupt interrupt;
   const Manner manner{catalogue, interrupt, arguments.has("import"), threads};
@@ -225,7 +225,7 @@ int element(const Arguments& arguments) {
   earlier.remove(arguments.command, input_of(arguments), runs.front().folder != folder);
   std::vector<NamedCurve> curves;
   int code = 0;
-  for (const Run& run : runs) {
+  for (const ElementRun& run : runs) {
     std::optional<OutputFolder> of_run;
     if (run.folder != folder) of_run.emplace(run.folder, arguments.command, arguments.force()).replace();
     curves.push_back({run.variant.label, carry_out_safely(run, manner)});

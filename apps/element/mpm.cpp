@@ -3,6 +3,9 @@
 #include "apps/element/path.hpp"
 #include "apps/element/specimen.hpp"
 #include "core/base/error.hpp"
+#include "core/io/messages.hpp"
+#include "core/run/run.hpp"
+#include "core/run/watches.hpp"
 #include "materials/element/rows.hpp"
 
 namespace riedel {
@@ -12,17 +15,6 @@ namespace {
 /// The strain that the test prescribes: of the shear test, or of any other.
 double prescribed_strain(const LawPoint& mean, const Values& v) {
   return v.text("test") == "shear" ? mean.F(0, 1) : 1.0 - mean.F(0, 0);
-}
-
-template <int Dim>
-void watch_energies(ElementEnergies& energies, const Simulation<Dim>& simulation, double strain) {
-  constexpr double settled = 0.005; // before it the internal energy is too small to compare with
-  const Energies now = simulation.energies();
-  energies.kinetic = now.kinetic;
-  energies.internal = now.internal;
-  energies.external = now.external;
-  if (strain >= settled && now.internal != 0.0)
-    energies.kinetic_over_internal = std::fmax(energies.kinetic_over_internal, now.kinetic / std::abs(now.internal));
 }
 
 /// @throws InputError where nobody could wait for the end
@@ -49,27 +41,44 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
   ElementRows rows(law, v.number("specimen.void_ratio"), v.number("output.every_strain"), path.friction, path.water,
                    watch, curve.rows);
   LawPoint mean{.state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
-  follow_element(mean, simulation);
-  rows.look(mean);
+  const auto follow = [&] {
+    curve.steps = simulation.state().step;
+    follow_element(mean, simulation);
+    rows.look(mean);
+  };
+  KineticShare kinetic;
+  TimeStepWatch time_step;
+  const auto check = [&] {
+    kinetic.record(prescribed_strain(mean, v), simulation.energies());
+    time_step.record(simulation);
+    curve.energies->stress_spread = std::fmax(curve.energies->stress_spread, stress_spread(simulation, mean.stress));
+  };
+  bool interrupted = false;
+  Run<Dim> loop(simulation, [&](const auto& step) { threads.step(step); });
+  loop.after_steps(1, follow).after_steps(steps_between_checks, [&] {
+    interrupted = watch.stop();
+    check();
+  });
+  loop.until("interrupt", [&] { return interrupted; })
+      .until("limit", [&] { return curve.steps > 0 && stage.until && stage.until->reached(mean, path.water); })
+      .until("strain", [&] { return prescribed_strain(mean, v) >= v.number("loading.final_strain"); });
+  follow();
   try {
-    while (curve.interrupted.empty() && curve.ends.empty() &&
-           prescribed_strain(mean, v) < v.number("loading.final_strain")) {
-      threads.step([&] { simulation.step(); });
-      ++curve.steps;
-      follow_element(mean, simulation);
-      rows.look(mean);
-      if (stage.until && stage.until->reached(mean, path.water))
-        curve.ends.push_back(stage.name + ": ended by " + stage.until->text());
-      if (curve.steps % steps_between_checks != 0) continue;
-      if (watch.stop()) curve.interrupted = stage.name;
-      curve.energies->stress_spread = std::fmax(curve.energies->stress_spread, stress_spread(simulation, mean.stress));
-      watch_energies(*curve.energies, simulation, prescribed_strain(mean, v));
-    }
+    const std::string end = loop.go();
+    if (end == "interrupt") curve.interrupted = stage.name;
+    if (end == "limit") curve.ends.push_back(stage.name + ": ended by " + stage.until->text());
     rows.write();
   } catch (const RunError& error) {
     rows.write();
     curve.failure = stage.name + ": " + error.what();
   }
+  if (const std::string doubt = time_step.doubt(); !doubt.empty()) print_warning(doubt);
+  const Energies end = simulation.energies();
+  curve.energies->kinetic = end.kinetic;
+  curve.energies->internal = end.internal;
+  curve.energies->external = end.external;
+  curve.energies->kinetic_over_internal = kinetic.greatest();
+  curve.energies->time_step_over_limit = time_step.greatest();
   curve.report = simulation.state().report;
   return curve;
 }

@@ -44,12 +44,13 @@ nlohmann::ordered_json element_summary(const ElementCurve& curve) {
                                  {"separated", curve.report.separated}};
   if (curve.water) summary["pore_pressure_final_Pa"] = last.pore_pressure;
   if (curve.energies) {
-    const auto& [kinetic, internal, external, ratio, spread] = *curve.energies;
-    summary["kinetic_J"] = kinetic;
-    summary["internal_J"] = internal;
-    summary["external_J"] = external;
-    summary["kinetic_over_internal_max"] = figure_json(ratio);
-    summary["stress_spread_max"] = figure_json(spread);
+    const ElementEnergies& energies = *curve.energies;
+    summary["kinetic_J"] = energies.kinetic;
+    summary["internal_J"] = energies.internal;
+    summary["external_J"] = energies.external;
+    summary["kinetic_over_internal_max"] = figure_json(energies.kinetic_over_internal);
+    summary["stress_spread_max"] = figure_json(energies.stress_spread);
+    summary["time_step_over_limit_max"] = figure_json(energies.time_step_over_limit);
   }
   return summary;
 }

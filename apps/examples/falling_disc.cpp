@@ -37,14 +37,14 @@ int main(int argc, char** argv) try {
   const StartPlaces<2> start = places_of(simulation.state());
   SeriesWriter frames(folder);
   History history(folder / "history.csv", {"time_s", "disc_m", "kinetic_J_per_m", "floor_N_per_m"});
-  for (double next = 0.0; simulation.state().time < 1.0; simulation.step()) {
-    if (simulation.state().time < next) continue;
-    next += 0.02;
+  Run<2> run(simulation);
+  run.every(0.02, [&] {
     const Points<2>& disc = simulation.state().bodies[1].points;
     double height = 0.0;
     for (Index p = 0; p < disc.size(); ++p) height += disc.position[1][p] / disc.size();
     history.add(std::array{simulation.state().time, height, simulation.energies().kinetic,
                            simulation.held("floor_y").reaction});
-    frames.write(snapshot(simulation, 0.0, start));
-  }
+    frames.write(snapshot(simulation, start));
+  });
+  run.until(1.0).go();
 } catch (const std::exception& error) { return std::fprintf(stderr, "falling_disc: %s\n", error.what()), 1; }

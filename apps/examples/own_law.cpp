@@ -48,11 +48,11 @@ int main(int argc, char** argv) try {
   const StartPlaces<2> start = places_of(simulation.state());
   SeriesWriter frames(folder);
   History history(folder / "history.csv", {"time_s", "height_m"});
-  for (double next = 0.0; simulation.state().time < 1.0; simulation.step()) {
-    if (simulation.state().time < next) continue;
-    next += 0.02;
+  Run<2> run(simulation);
+  run.every(0.02, [&] {
     const Columns& x = simulation.state().bodies.front().points.position;
     history.add(std::array{simulation.state().time, *std::max_element(x[1], x[1] + x.size())});
-    frames.write(snapshot(simulation, 0.0, start));
-  }
+    frames.write(snapshot(simulation, start));
+  });
+  run.until(1.0).go();
 } catch (const std::exception& error) { return std::fprintf(stderr, "own_law: %s\n", error.what()), 1; }

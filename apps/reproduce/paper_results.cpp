@@ -217,7 +217,7 @@ std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& v)
     require_same_points(frame, file);
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const std::size_t p = k < outside.size() ? outside[k] : inside[k - outside.size()];
-      curves[k].u_over_h.push_back(frame.u_over_h);
+      curves[k].u_over_h.push_back(frame.scalar("u_over_h"));
       curves[k].void_ratio.push_back(frame.field("void_ratio").values[p]);
     }
   }

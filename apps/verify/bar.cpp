@@ -46,12 +46,12 @@ VerifyRun run_bar(const VerifyCase& given) {
   Watch watch(given);
   std::vector<double> zeros;
   double before = modal_velocity(points, X);
-  for (Index i = 0; i < steps; ++i) {
-    watch.step(simulation);
-    const double now = modal_velocity(points, X);
-    if (before * now <= 0.0) zeros.push_back((i + before / (before - now)) * simulation.time_step());
+  const auto look_for_zero = [&] {
+    const double now = modal_velocity(points, X), last = static_cast<double>(simulation.state().step - 1);
+    if (before * now <= 0.0) zeros.push_back((last + before / (before - now)) * simulation.time_step());
     before = now;
-  }
+  };
+  watch.run(simulation).after_steps(1, look_for_zero).until_step(steps).go();
   ErrorNorm norm;
   for (Index p = 0; p < points.size(); ++p) {
     const double exact = v0 * mode(start_of(points, p, X)[0]);

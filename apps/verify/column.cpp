@@ -28,8 +28,8 @@ VerifyRun run_column(const VerifyCase& given) {
 
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
   Watch watch(given);
-  while (simulation.state().time < growth) watch.step(simulation);
-  relax(simulation, 150 * given.cells, [&] { watch.step(simulation); });
+  watch.run(simulation).until(growth).go();
+  relax(simulation, 150 * given.cells, watch.run(simulation));
   const Points<2>& points = simulation.state().bodies.front().points;
   ErrorNorm norm;
   for (Index p = 0; p < points.size(); ++p) {

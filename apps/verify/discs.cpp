@@ -40,7 +40,7 @@ VerifyRun run_discs(const VerifyCase& given) {
   const Vec<2> momentum = momentum_of(points);
   const double energy = simulation.energies().kinetic, mass = energy / square(speed);
   Watch watch(given);
-  for (Index i = 0; i < steps; ++i) watch.step(simulation);
+  watch.run(simulation).until_step(steps).go();
   const Energies end = simulation.energies();
   return {std::abs((end.kinetic + end.internal) / energy - 1.0),
           watch.ns(),

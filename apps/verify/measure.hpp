@@ -2,24 +2,28 @@
 #pragma once
 
 #include "apps/verify/block.hpp"
+#include "core/run/run.hpp"
 
 #include <ctime>
 
 namespace riedel {
 
-/// Steps a simulation, sums up the time it took, and stops when it is told to. The time is that of the thread, so that
+/// Sums up the time that the steps of runs take, and stops when it is told to. The time is that of the thread, so that
 /// others on the machine hardly count.
 class Watch {
 public:
   explicit Watch(const VerifyCase& given) : stop_(given.stop) {}
 
+  /// A run whose steps are timed; it ends by VerifyStopped when the user stops the program.
   template <int Dim>
-  void step(Simulation<Dim>& simulation) {
-    if (stop_ && stop_()) throw VerifyStopped{};
-    const double start = now();
-    simulation.step();
-    spent_ += now() - start;
-    point_steps_ += simulation.state().bodies.front().points.size();
+  Run<Dim> run(Simulation<Dim>& simulation) {
+    return Run<Dim>(simulation, [this, &simulation](const auto& step) {
+      if (stop_ && stop_()) throw VerifyStopped{};
+      const double start = now();
+      step();
+      spent_ += now() - start;
+      point_steps_ += simulation.state().bodies.front().points.size();
+    });
   }
   [[nodiscard]] double ns() const { return spent_ / point_steps_; } ///< per point and step
 

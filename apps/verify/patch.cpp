@@ -56,7 +56,7 @@ double error_of_translation(VerifySetup<Dim> setup, Watch& watch) {
   const std::vector<Vec<Dim>> X = setup.places();
   Simulation<Dim> simulation(std::move(setup.model), std::move(setup.state));
   const Points<Dim>& points = simulation.state().bodies.front().points;
-  for (Index i = 0; i < count; ++i) watch.step(simulation);
+  watch.run(simulation).until_step(count).go();
   double error = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
     const Vec<Dim> x = start_of(points, p, X) + simulation.state().time * v;
@@ -79,11 +79,11 @@ double error_of_linear_motion(VerifySetup<Dim> setup, const Mat<Dim>& A, Watch& 
   const Points<Dim>& points = simulation.state().bodies.front().points;
   Mat<Dim> F = Mat<Dim>::Identity();
   Vec<Dim> shift = Vec<Dim>::Zero(); // x = F X + shift
-  for (Index i = 0; i < steps; ++i) {
-    watch.step(simulation);
+  const auto follow = [&] {
     F = growth * F;
     shift = growth * shift + dt * constant;
-  }
+  };
+  watch.run(simulation).after_steps(1, follow).until_step(steps).go();
   double error = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
     const Vec<Dim> x = F * start_of(points, p, X) + shift;

@@ -38,7 +38,7 @@ VerifyRun run_disc(const VerifyCase& given) {
   const Points<2>& points = simulation.state().bodies.front().points;
   const double energy = simulation.energies().kinetic, momentum = angular_momentum_of(points);
   Watch watch(given);
-  for (Index i = 0; i < steps; ++i) watch.step(simulation);
+  watch.run(simulation).until_step(steps).go();
   const Energies end = simulation.energies();
   const double change = angular_momentum_of(points) / momentum - 1.0;
   return {std::abs(change), watch.ns(), {change, (end.kinetic + end.internal) / energy - 1.0}};

@@ -47,8 +47,8 @@ StressErrors errors_at_rest(const VerifyCase& given, double share, Watch& watch)
   setup.model.surface_tractions.push_back(pull(setup.points(), end, growth));
 
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
-  while (simulation.state().time < growth) watch.step(simulation);
-  relax(simulation, 1000 * given.cells, [&] { watch.step(simulation); });
+  watch.run(simulation).until(growth).go();
+  relax(simulation, 1000 * given.cells, watch.run(simulation));
   const Points<2>& points = simulation.state().bodies.front().points;
   StressErrors greatest;
   for (Index p = 0; p < points.size(); ++p) {

@@ -87,7 +87,7 @@ Frame mean_over_depth(const Frame& slab, double depth) {
   const Stacks stacks = stacks_of(slab);
   Frame plane{.dimension = 2,
               .time = slab.time,
-              .u_over_h = slab.u_over_h,
+              .scalars = slab.scalars,
               .position = mean(slab.position, stacks, 3),
               .corners = mean(middle_faces(slab.corners), stacks, 4 * 3),
               .fields = {}};

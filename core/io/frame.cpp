@@ -17,6 +17,13 @@ const Field& Frame::field(const std::string& name) const {
   throw InputError("no field '" + name + "' to draw; there are: " + known);
 }
 
+double Frame::scalar(const std::string& name) const {
+  if (const auto at = scalars.find(name); at != scalars.end()) return at->second;
+  std::string known;
+  for (const auto& [each, value] : scalars) known += (known.empty() ? "" : ", ") + each;
+  throw InputError("no scalar '" + name + "' in the frame; there are: " + (known.empty() ? "none" : known));
+}
+
 void Frame::check() const {
   const auto require = [](bool holds, const std::string& what) {
     if (!holds) throw std::logic_error("frame: " + what);

@@ -1,6 +1,7 @@
 /// What a drawing or a file shows of one instant of a run: plain numbers that know nothing of the simulation.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ struct Field {
 };
 
 struct Frame {
-  int dimension = 2;            ///< 2 or 3
-  double time = 0;              ///< [s]
-  double u_over_h = 0;          ///< displacement of the loaded side over the initial height [-]
+  int dimension = 2; ///< 2 or 3
+  double time = 0;   ///< [s]
+  /// Of the frame as a whole, by name, such as u_over_h; files keep them beside the time.
+  std::map<std::string, double> scalars = {};
   std::vector<double> position; ///< x, y, z of each point [m]; z = 0 in 2-D
   /// x, y, z of the 2^dimension corners of each point's domain [m]: counter-clockwise in 2-D, in the order of
   /// VTK_HEXAHEDRON in 3-D. Empty when the points have no domains.
@@ -31,6 +33,9 @@ struct Frame {
   [[nodiscard]] bool has(const std::string& name) const;
   /// The field of that name; throws InputError that lists the names there are.
   [[nodiscard]] const Field& field(const std::string& name) const;
+
+  /// The scalar of that name; throws InputError that lists the names there are.
+  [[nodiscard]] double scalar(const std::string& name) const;
 
   /// Throws std::logic_error unless every array has the length that dimension and number of points ask for.
   void check() const;

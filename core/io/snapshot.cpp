@@ -178,9 +178,11 @@ StartPlaces<Dim> places_of(const State<Dim>& state) {
 }
 
 template <int Dim>
-Frame snapshot(const Simulation<Dim>& simulation, double u_over_h, const StartPlaces<Dim>& start) {
+Frame snapshot(const Simulation<Dim>& simulation, const StartPlaces<Dim>& start,
+               std::map<std::string, double> scalars) {
   const State<Dim>& state = simulation.state();
-  Frame frame{.dimension = Dim, .time = state.time, .u_over_h = u_over_h, .position = {}, .corners = {}, .fields = {}};
+  Frame frame{
+      .dimension = Dim, .time = state.time, .scalars = std::move(scalars), .position = {}, .corners = {}, .fields = {}};
   for (const Body<Dim>& body : state.bodies)
     for (const Index p : body.points.place) {
       const Vec<Dim> x = body.points.position_of(p);
@@ -193,7 +195,7 @@ Frame snapshot(const Simulation<Dim>& simulation, double u_over_h, const StartPl
 
 template StartPlaces<2> places_of<2>(const State<2>&);
 template StartPlaces<3> places_of<3>(const State<3>&);
-template Frame snapshot<2>(const Simulation<2>&, double, const StartPlaces<2>&);
-template Frame snapshot<3>(const Simulation<3>&, double, const StartPlaces<3>&);
+template Frame snapshot<2>(const Simulation<2>&, const StartPlaces<2>&, std::map<std::string, double>);
+template Frame snapshot<3>(const Simulation<3>&, const StartPlaces<3>&, std::map<std::string, double>);
 
 } // namespace riedel

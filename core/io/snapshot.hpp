@@ -19,7 +19,9 @@ StartPlaces<Dim> places_of(const State<Dim>& state);
 /// a number there. Polar rotation is the angle of R in F = R U, in 3-D of F's part in the plane x-y, positive
 /// counter-clockwise [deg]. Rigid bodies, which carry no stress, are left out.
 /// @param start from which points are displaced; without it there is no displacement
+/// @param scalars of the frame as a whole, by name
 template <int Dim>
-Frame snapshot(const Simulation<Dim>& simulation, double u_over_h, const StartPlaces<Dim>& start = {});
+Frame snapshot(const Simulation<Dim>& simulation, const StartPlaces<Dim>& start = {},
+               std::map<std::string, double> scalars = {});
 
 } // namespace riedel

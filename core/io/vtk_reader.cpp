@@ -65,12 +65,15 @@ std::vector<double> values_in(const XmlElement& array, std::size_t rows, std::si
   return numbers_of(unpacked(text, size, unpack), type);
 }
 
-double number_in(const XmlElement& data, std::string_view name, Unpack unpack) {
+/// Numbers that belong to the frame as a whole.
+std::map<std::string, double> scalars_in(const XmlElement& data, Unpack unpack) {
+  std::map<std::string, double> scalars;
   for (const XmlElement& each : data.children)
     if (each.name == "FieldData")
       for (const XmlElement& array : each.children)
-        if (array.attribute("Name") == name) return values_in(array, 1, 1, unpack).front();
-  return 0.0;
+        if (count_in(array, "NumberOfTuples", 0) == 1 && count_in(array, "NumberOfComponents", 1) == 1)
+          scalars[array.attribute("Name")] = values_in(array, 1, 1, unpack).front();
+  return scalars;
 }
 
 Field field_of(const XmlElement& array, std::size_t cells, Unpack unpack) {
@@ -100,12 +103,9 @@ Frame frame_of(const XmlElement& file, bool flat) {
   const XmlElement &data = file.child(flat ? "PolyData" : "UnstructuredGrid"), &piece = data.child("Piece");
   const std::size_t corners = count_in(piece, "NumberOfPoints", 0);
   const std::size_t cells = count_in(piece, flat ? "NumberOfPolys" : "NumberOfCells", 0);
-  Frame frame{.dimension = flat ? 2 : 3,
-              .time = number_in(data, "TimeValue", unpack),
-              .u_over_h = number_in(data, "u_over_h", unpack),
-              .position = {},
-              .corners = {},
-              .fields = {}};
+  Frame frame{
+      .dimension = flat ? 2 : 3, .scalars = scalars_in(data, unpack), .position = {}, .corners = {}, .fields = {}};
+  if (const auto time = frame.scalars.extract("TimeValue")) frame.time = time.mapped();
   const auto corners_of_cell = static_cast<std::size_t>(frame.corners_per_point());
   if (cells == 0 || corners != cells * corners_of_cell) throw InputError("it is no file of domains");
   frame.corners = values_in(piece.child("Points").child("DataArray"), corners, 3, unpack);

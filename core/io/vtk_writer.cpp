@@ -103,7 +103,7 @@ void add_number(vtkDataSet* data, const char* name, double value) {
 template <class Writer>
 std::string encode(const Frame& frame, vtkDataSet* data) {
   add_number(data, "TimeValue", frame.time);
-  add_number(data, "u_over_h", frame.u_over_h);
+  for (const auto& [name, value] : frame.scalars) add_number(data, name.c_str(), value);
   vtkNew<Writer> writer;
   writer->SetInputDataObject(data);
   writer->SetDataModeToBinary();

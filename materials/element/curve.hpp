@@ -38,6 +38,7 @@ struct ElementEnergies {
       std::numeric_limits<double>::quiet_NaN(); ///< greatest, from a strain of 0.5 % on; not a number before [-]
   double stress_spread = std::numeric_limits<double>::quiet_NaN(); ///< greatest distance of a point's stress from the
                                                                    ///< mean, over the mean; looked at now and then [-]
+  double time_step_over_limit = 0.0;                               ///< greatest time step over the stable one [-]
 };
 
 struct ElementCurve {

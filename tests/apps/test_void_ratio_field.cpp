@@ -46,7 +46,7 @@ TEST(VoidRatioField, IsTheSameAtAPlaceOnEveryGrid) {
   const auto void_ratio_at = [](const std::string& cells, std::size_t point) {
     const Simulation<2> simulation = make_biaxial(
         biaxial_values({"imperfection.deviation=0.01", "imperfection.size=[0,0]", "grid.cells=" + cells}), catalogue());
-    const Frame frame = snapshot(simulation, 0.0);
+    const Frame frame = snapshot(simulation);
     return std::pair(frame.position[3 * point], frame.field("void_ratio").values[point]);
   };
   // The middle of three fine cells is that of a coarse one.
@@ -93,7 +93,7 @@ TEST(TurnedSpecimen, IsRefusedWhereTheGridMustStandUpright) {
 /// A band at 55° drawn on the points, told in the specimen's own axes.
 TEST(TurnedSpecimen, HasItsBandMeasuredInItsOwnAxes) {
   const BiaxialCase values = biaxial_values({"specimen.rotation=22.5", "loading.platen=rigid_points"});
-  Frame frame = snapshot(make_biaxial(values, catalogue()), 0.0);
+  Frame frame = snapshot(make_biaxial(values, catalogue()));
   const Turn turn(values);
   const double slope = 55.0 * std::numbers::pi / 180.0;
   const auto field = [&](const char* name) { return std::ranges::find(frame.fields, std::string(name), &Field::name); };

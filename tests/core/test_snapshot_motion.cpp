@@ -30,10 +30,10 @@ template <int Dim>
 void expect_displacements(Counts<Dim> cells) {
   Simulation<Dim> simulation = thrown<Dim>(cells);
   const StartPlaces<Dim> start = places_of(simulation.state());
-  const Frame first = snapshot(simulation, 0.0, start);
+  const Frame first = snapshot(simulation, start);
   EXPECT_THAT(first.field("displacement").values, Each(0.0));
   for (int step = 0; step < 20; ++step) simulation.step();
-  const Frame last = snapshot(simulation, 0.0, start);
+  const Frame last = snapshot(simulation, start);
   const std::vector<double>& u = last.field("displacement").values;
   ASSERT_EQ(u.size(), last.position.size());
   for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(u[i], last.position[i] - first.position[i], 1e-15);
@@ -51,10 +51,10 @@ TEST(Snapshot, TellsTheDeformationGradientRowByRow) {
   State<3> solid = elastic_state<3>({1, 1, 1}, 1.0, 1, 4, everywhere);
   for (int c = 0; c < 4; ++c) flat.bodies.front().points.deformation_gradient[c][0] = 1.1 + 0.1 * c;
   for (int c = 0; c < 9; ++c) solid.bodies.front().points.deformation_gradient[c][0] = c == 0 ? 2.0 : 0.1 * c;
-  const Frame in_plane = snapshot(Simulation<2>(model_with<2>("gimp"), std::move(flat)), 0.0);
+  const Frame in_plane = snapshot(Simulation<2>(model_with<2>("gimp"), std::move(flat)));
   EXPECT_THAT(in_plane.field("deformation_gradient").values,
               Pointwise(DoubleNear(1e-15), {1.1, 1.2, 0.0, 1.3, 1.4, 0.0, 0.0, 0.0, 1.0}));
-  const Frame in_space = snapshot(Simulation<3>(model_with<3>("gimp"), std::move(solid)), 0.0);
+  const Frame in_space = snapshot(Simulation<3>(model_with<3>("gimp"), std::move(solid)));
   EXPECT_THAT(in_space.field("deformation_gradient").values,
               Pointwise(DoubleNear(1e-15), {2.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}));
 }
@@ -63,7 +63,7 @@ TEST(Snapshot, TellsTheDeformationGradientRowByRow) {
 TEST(Snapshot, TellsWorkThatAddsUpToTheInternalEnergy) {
   Simulation<2> simulation = thrown<2>({4, 4});
   for (int step = 0; step < 50; ++step) simulation.step();
-  const Frame frame = snapshot(simulation, 0.0);
+  const Frame frame = snapshot(simulation);
   double sum = 0.0;
   for (std::size_t p = 0; p < frame.points(); ++p)
     sum += frame.field("work").values[p] * frame.field("volume").values[p] / frame.field("volume_ratio").values[p];
@@ -90,7 +90,7 @@ Simulation<2> two_bodies() {
 
 TEST(Snapshot, HoldsEveryBodyAndTellsThemApart) {
   Simulation<2> simulation = two_bodies();
-  const Frame frame = snapshot(simulation, 0.0, places_of(simulation.state()));
+  const Frame frame = snapshot(simulation, places_of(simulation.state()));
   frame.check();
   ASSERT_EQ(frame.points(), 16U);
   std::vector<double> numbers(16);

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 Frame two_squares() {
   Frame frame{.dimension = 2,
               .time = 0.5,
-              .u_over_h = 0.03,
+              .scalars = {{"u_over_h", 0.03}},
               .position = {0.5, 0.5, 0, 1.5, 0.5, 0},
               .corners = {},
               .fields = {}};
@@ -40,7 +40,7 @@ TEST(FrameReader, GivesBackWhatWasWritten) {
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].time, 0.5);
   const Frame again = read_frame(files[1].path);
-  EXPECT_EQ(again.u_over_h, 0.03);
+  EXPECT_EQ(again.scalar("u_over_h"), 0.03);
   EXPECT_EQ(again.position, frame.position);
   EXPECT_EQ(again.corners, frame.corners);
   EXPECT_EQ(again.field("velocity").values, frame.fields[1].values);
@@ -69,13 +69,18 @@ TEST(FrameReader, ReadsWhatVtkHasCompressedOtherwise) {
 
 TEST(FrameReader, GivesBackBoxesInThreeDimensions) {
   const TemporaryFolder folder;
-  Frame frame{.dimension = 3, .time = 0.5, .u_over_h = 0.03, .position = {0.5, 0.5, 1}, .corners = {}, .fields = {}};
+  Frame frame{.dimension = 3,
+              .time = 0.5,
+              .scalars = {{"u_over_h", 0.03}},
+              .position = {0.5, 0.5, 1},
+              .corners = {},
+              .fields = {}};
   frame.corners = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 2, 1, 0, 2, 1, 1, 2, 0, 1, 2};
   frame.fields = {{"id", 1, "-", {7}, true}, {"void_ratio", 1, "-", {0.625}}};
   SeriesWriter(folder.path()).write(frame);
   const Frame again = read_frame(frame_files(folder.path()).at(0).path);
   EXPECT_EQ(again.dimension, 3);
-  EXPECT_EQ(again.u_over_h, 0.03);
+  EXPECT_EQ(again.scalar("u_over_h"), 0.03);
   EXPECT_EQ(again.position, frame.position);
   EXPECT_EQ(again.corners, frame.corners);
   EXPECT_EQ(again.field("void_ratio").values, frame.fields[1].values);

@@ -42,7 +42,7 @@ protected:
 Frame two_points(double time) {
   Frame frame;
   frame.time = time;
-  frame.u_over_h = 0.02;
+  frame.scalars = {{"u_over_h", 0.02}, {"load_N", -5.0}};
   frame.position = {0.5, 0.5, 0, 1.5, 0.5, 0};
   frame.corners = {0, 0, 0, 1, 0.1, 0, 1, 1.1, 0, 0, 1, 0, 1, 0.1, 0, 2, 0.2, 0, 2, 1.2, 0, 1, 1.1, 0};
   frame.fields = {{"void_ratio", 1, "-", {0.625, 0.75}},
@@ -112,6 +112,7 @@ TEST_F(VtkWriter, KeepsPointsAndEveryField) {
   expect_fields(points->GetPointData(), frame);
   EXPECT_EQ(points->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), 0.25);
   EXPECT_EQ(points->GetFieldData()->GetArray("u_over_h")->GetComponent(0, 0), 0.02);
+  EXPECT_EQ(points->GetFieldData()->GetArray("load_N")->GetComponent(0, 0), -5.0);
 }
 
 TEST_F(VtkWriter, KeepsDomainsAsQuadrilateralsWithTheFieldsAsCellData) {

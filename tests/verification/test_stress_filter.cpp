@@ -227,9 +227,7 @@ std::pair<StressQuality, std::int64_t> quality_of(const std::vector<std::string>
   const TemporaryFolder folder;
   BiaxialRun<2> run(values, catalogue(), folder.path());
   run.begin();
-  ThreadChoice threads({1, 1});
-  run.advance(
-      threads, [] { return false; }, [](const BiaxialRow&) {});
+  run.advance([] { return false; }, {});
   const Frame section = run.section();
   return {measure_quality(section, measure_band(section, values), values), run.simulation().state().report.separated};
 }
