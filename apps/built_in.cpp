@@ -6,8 +6,8 @@ namespace riedel {
 
 Catalogue full_catalogue() { return built_in(); }
 
-Inventory inventory(const std::vector<std::string>& named) { return with_plugins(built_in(), named); }
+Inventory load_catalogue(const std::vector<std::string>& named) { return with_plugins(built_in(), named); }
 
-Inventory inventory(const CaseFile& given) { return with_plugins(built_in(), given); }
+Inventory load_catalogue(const CaseFile& given) { return with_plugins(built_in(), given); }
 
 } // namespace riedel

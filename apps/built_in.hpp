@@ -11,7 +11,7 @@ Catalogue full_catalogue();
 
 /// The same, and what plug-ins bring: those in the folders of RIEDEL_PLUGIN_PATH, and those named, or named in a case.
 /// @throws PluginError
-Inventory inventory(const std::vector<std::string>& named = {});
-Inventory inventory(const CaseFile& given);
+Inventory load_catalogue(const std::vector<std::string>& named = {});
+Inventory load_catalogue(const CaseFile& given);
 
 } // namespace riedel

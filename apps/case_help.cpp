@@ -15,7 +15,7 @@ namespace riedel {
 namespace {
 
 std::string help_of(const RunKind& kind, const CaseFile& given) {
-  return kind.cases.help(given, inventory(given).catalogue);
+  return kind.cases.help(given, load_catalogue(given).catalogue);
 }
 
 std::string list_of_tests() {

@@ -28,7 +28,7 @@ void warn_of_run(const CaseKind& kind, const CaseFile& given, const Values& valu
 /// take. What it prints is a case itself. A case that names a test is one of `riedel element`.
 int check(const Arguments& arguments) {
   const CaseFile given = arguments.case_file().without("compare"); // of a study, the case that it varies
-  const Catalogue catalogue = inventory(given).catalogue;
+  const Catalogue catalogue = load_catalogue(given).catalogue;
   if (arguments.has("reference")) {
     std::cout << input_reference(catalogue);
     return 0;

@@ -48,8 +48,8 @@ Group group_of(const std::vector<LoadedPlugin>& plugins) {
   return all;
 }
 
-std::vector<Group> groups_of(const Inventory& inventory) {
-  const Catalogue& all = inventory.catalogue;
+std::vector<Group> groups_of(const Inventory& load_catalogue) {
+  const Catalogue& all = load_catalogue.catalogue;
   const auto keyed = [](std::string kind, std::string key) {
     return [=](const auto& entry) { return entry_text(entry.description, kind, key); };
   };
@@ -61,7 +61,7 @@ std::vector<Group> groups_of(const Inventory& inventory) {
           group("averagers", all.in_2d.averagers, keyed("averager", "nonlocal.averager")),
           group("boundaries", all.in_2d.boundaries, of_boundary),
           group("transfers", all.in_2d.transfers, keyed("transfer of velocities", "time.transfer")),
-          group_of(inventory.plugins)};
+          group_of(load_catalogue.plugins)};
 }
 
 std::string text_of(const Group& group) {
@@ -115,7 +115,7 @@ std::vector<std::string> list_words() {
 }
 
 int list(const Arguments& arguments) {
-  const Inventory all = inventory(arguments.list("plugin", {}));
+  const Inventory all = load_catalogue(arguments.list("plugin", {}));
   const std::vector<Group> groups = groups_of(all);
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "\n") + more; };

@@ -91,7 +91,7 @@ int umat_check(const Arguments& arguments) {
   CaseFile given = arguments.case_file(1);
   given.override_with("material.library=" + toml_text(arguments.words.front()), "riedel umat-check:");
   const Values values = checked_case(
-                            given, umat_check_keys(), [](const Values&) { return Findings{}; },
+                            given, umat_check_keys(), [](const Values&) { return Diagnostics{}; },
                             [&](std::vector<Finding>& errors) {
                               leave_keys_of_runs(given, full_catalogue(), errors);
                               tell_where_keys_are_listed(errors, "umat-check");

@@ -19,8 +19,8 @@ GudehusBauer::GudehusBauer(const Values& given) : RateLaw(IntegrationControl(giv
   f_s0_ = sand_.stiffness(h_i);
 }
 
-Survey GudehusBauer::survey(const MaterialBatch& batch) const {
-  return survey_sand<1>(*this, batch, [](const auto& parts) { return basic_stiffness(parts); });
+MaterialLimits GudehusBauer::assess(const MaterialBatch& batch) const {
+  return assess_sand<1>(*this, batch, [](const auto& parts) { return basic_stiffness(parts); });
 }
 
 } // namespace riedel

@@ -29,7 +29,7 @@ public:
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const override { return {"rate_norm"}; }
   [[nodiscard]] double density(std::span<const double> state) const override { return sand_.density(state[0]); }
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override;
   [[nodiscard]] const Sand& sand() const { return sand_; }
 
 private:

@@ -44,8 +44,8 @@ public:
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] double density(std::span<const double> state) const override { return base_.density(state); }
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override {
-    return survey_sand<7>(base_, batch, [&](const auto& parts) { return stiffness(parts); });
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override {
+    return assess_sand<7>(base_, batch, [&](const auto& parts) { return stiffness(parts); });
   }
 
 private:

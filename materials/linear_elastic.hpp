@@ -21,7 +21,7 @@ public:
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return {}; }
   [[nodiscard]] double density(std::span<const double>) const override { return solid_.density; }
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override {
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override {
     return {.wave_speed = std::sqrt(solid_.longitudinal() / solid_.density)};
   }
 

@@ -32,7 +32,7 @@ Sym<double> NeoHookean::stretch_under(const Sym<double>& sigma) const {
     const double f = b.array().log().sum() - 2.0 * x, df = (slope.array() / b.array()).sum() - 2.0; // (6)
     if (!(df < 0.0)) break; // beyond the greatest stress that the material bears
     double change = -f / df;
-    if (std::abs(change) <= 1e-14) return composed(b, principal.directions);
+    if (std::abs(change) <= 1e-14) return from_spectral(b, principal.directions);
     while (!(stretch(x + change).minCoeff() > 0.0) && std::abs(change) > 1e-14) change *= 0.5;
     x += change;
   }
@@ -51,8 +51,8 @@ void NeoHookean::integrate(const MaterialBatch& batch, MaterialReport& report) c
     const Sym<double> strain = batch.time_step * place.rate();
     if (dot(strain, strain) == 0.0) continue;
     Point point = place.points();
-    const Sym<double> stretch = mapped(spectral(strain), [](double e) { return std::exp(e); });
-    const Sym<double> b = sandwiched(stretch, stretch_of(point)); // (4)
+    const Sym<double> stretch = isotropic_function(spectral(strain), [](double e) { return std::exp(e); });
+    const Sym<double> b = congruent(stretch, stretch_of(point)); // (4)
     point.stress = stress(b);
     if (!std::isfinite(dot(point.stress, point.stress))) {
       report.fail(p, "the stress is not a finite number, or no stretch gives the stress at the start");
@@ -64,7 +64,7 @@ void NeoHookean::integrate(const MaterialBatch& batch, MaterialReport& report) c
   }
 }
 
-Survey NeoHookean::survey(const MaterialBatch& batch) const {
+MaterialLimits NeoHookean::assess(const MaterialBatch& batch) const {
   double fastest = 0.0; // c²
   for (Index p = 0; p < batch.size; ++p) {
     const Point point = BatchGroup<double, variables>(batch, p).points();

@@ -24,7 +24,7 @@ public:
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] double density(std::span<const double> state) const override; ///< ρ_0/J, J since the start
   void integrate(const MaterialBatch& batch, MaterialReport& report) const override;
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override;
 
 private:
   enum : std::size_t { volume_strain = 6, variables }; ///< the column behind those of b

@@ -159,7 +159,7 @@ void Umat::integrate(const MaterialBatch& batch, MaterialReport& report) const {
   }
 }
 
-Survey Umat::survey(const MaterialBatch& batch) const {
+MaterialLimits Umat::assess(const MaterialBatch& batch) const {
   if (!library_) return {};
   const UmatLibrary::Lease umat = library_->lease();
   const int e = states_.void_ratio();

@@ -23,7 +23,7 @@ public:
   /// @throws RunError where the UMAT ends the program or crashes
   void integrate(const MaterialBatch& batch, MaterialReport& report) const override;
   /// From DDSDDE of a call without strain. @throws RunError likewise
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override;
   /// DDSDDE at the end of a step of point p, whose other results are dropped, by columns [Pa].
   /// @throws RunError where the UMAT does not return
   [[nodiscard]] std::array<double, 36> stiffness(const MaterialBatch& batch, Index p) const;

@@ -20,8 +20,8 @@ VonWolffersdorff::VonWolffersdorff(const Values& given) : RateLaw(IntegrationCon
   f_s0_ = sand_.stiffness(3.0 + a_ * a_ - root_3 * a_ * sand_.greatest_f_d); // (8)
 }
 
-Survey VonWolffersdorff::survey(const MaterialBatch& batch) const {
-  return survey_sand<1>(*this, batch, [](const auto& parts) { return basic_stiffness(parts); });
+MaterialLimits VonWolffersdorff::assess(const MaterialBatch& batch) const {
+  return assess_sand<1>(*this, batch, [](const auto& parts) { return basic_stiffness(parts); });
 }
 
 } // namespace riedel

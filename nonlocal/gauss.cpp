@@ -36,16 +36,16 @@ GaussAverager<Dim>::GaussAverager(double length, std::unique_ptr<NeighbourSearch
     : length_(length), weight_of_(length), search_(std::move(search)) {}
 
 template <int Dim>
-void GaussAverager<Dim>::forget_neighbours() {
+void GaussAverager<Dim>::invalidate() {
   points_ = 0;
 }
 
 template <int Dim>
-void GaussAverager<Dim>::follow(const Columns& positions) {
+void GaussAverager<Dim>::update_neighbours(const Columns& positions) {
   if (points_ == positions.size() && !shifted(positions, places_, 2.0 * weights_last * length_)) return;
   if (points_ != positions.size() || shifted(positions, searched_at_, skin * length_)) search(positions);
   for (int a = 0; a < Dim; ++a) std::copy_n(positions[a], points_, places_[a]);
-  for_each_block(teams_of(points_), [&](Range block) { weigh(block); });
+  for_each_block(teams_of(points_), [&](Range block) { evaluate_weights(block); });
 }
 
 template <int Dim>
@@ -138,7 +138,7 @@ void GaussAverager<Dim>::lay_runs(const NeighbourRows& rows) {
 }
 
 template <int Dim>
-void GaussAverager<Dim>::weigh(Range teams) {
+void GaussAverager<Dim>::evaluate_weights(Range teams) {
   using Floats = xsimd::batch<float>;
   std::array<float, team * width> squares; // (r/l_c)²
   static_assert(squares.size() % Floats::size == 0);

@@ -29,9 +29,9 @@ public:
   /// @param length l_c [m], > 0
   GaussAverager(double length, std::unique_ptr<NeighbourSearch<Dim>> search);
 
-  void follow(const Columns& positions) override;
+  void update_neighbours(const Columns& positions) override;
   void average(const double* volumes, const double* field, double* averaged) override;
-  void forget_neighbours() override;
+  void invalidate() override;
   [[nodiscard]] std::int64_t searches() const override { return searches_; }
 
 private:
@@ -41,7 +41,7 @@ private:
   void search(const Columns& positions);
   void append_runs(const NeighbourRows& rows, Index t, std::vector<Index>& runs) const;
   void lay_runs(const NeighbourRows& rows);
-  void weigh(Range teams);
+  void evaluate_weights(Range teams);
   void sum(Range teams, double* averaged) const;
   [[nodiscard]] bool shifted(const Columns& positions, const Columns& since, double distance);
 

@@ -66,7 +66,7 @@ GaussGridAverager<Dim>::GaussGridAverager(double length, double spacing) : spaci
 }
 
 template <int Dim>
-void GaussGridAverager<Dim>::follow(const Columns& positions) {
+void GaussGridAverager<Dim>::update_neighbours(const Columns& positions) {
   const BoundingBox<Dim> box = bounding_box<Dim>(positions, nullptr, boxes_);
   if (points_ != positions.size() || !holds(box)) lay_out(positions, box);
   for_each_block(points_, [&](Range block) { place(positions, block); });

@@ -23,9 +23,9 @@ public:
   /// @param length l_c [m], > 0   @param spacing Δ, in l_c, 0.1 … 0.8 [-]
   explicit GaussGridAverager(double length, double spacing = default_spacing);
 
-  void follow(const Columns& positions) override;
+  void update_neighbours(const Columns& positions) override;
   void average(const double* volumes, const double* field, double* averaged) override;
-  void forget_neighbours() override { points_ = 0; }
+  void invalidate() override { points_ = 0; }
   [[nodiscard]] double tolerance() const override { return 5e-3; } // its kernel is not quite Gauss's
   [[nodiscard]] bool keeps_pairs() const override { return false; }
   /// Times that the grid was laid out: at first, for other points and when a point has left it.

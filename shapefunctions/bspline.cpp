@@ -7,14 +7,14 @@ namespace riedel {
 
 namespace {
 
-using Factor = ValueSlope<Pack>;
+using Factor = ValueGradient<Pack>;
 
 /// Where `there`, c_ghost = 2 c_near − c_far: the ghost's factor goes to the two nodes before it.
 void fold(Factor& ghost, Factor& near, Factor& far, const Mask& there) {
-  const Pack N = select(there, ghost.value, Pack(0.0)), dN = select(there, ghost.slope, Pack(0.0));
-  ghost = {.value = ghost.value - N, .slope = ghost.slope - dN};
-  near = {.value = near.value + (N + N), .slope = near.slope + (dN + dN)};
-  far = {.value = far.value - N, .slope = far.slope - dN};
+  const Pack N = select(there, ghost.value, Pack(0.0)), dN = select(there, ghost.gradient, Pack(0.0));
+  ghost = {.value = ghost.value - N, .gradient = ghost.gradient - dN};
+  near = {.value = near.value + (N + N), .gradient = near.gradient + (dN + dN)};
+  far = {.value = far.value - N, .gradient = far.gradient - dN};
 }
 
 /// The first or the last of the nodes may stand behind a wall, never two on one side: points are not behind walls.
@@ -28,9 +28,9 @@ std::array<Factor, Nodes> end_at_walls(std::array<Factor, Nodes> N, const Axis& 
 /// ½(3/2 − |r|)² at the outer nodes, 3/4 − r² at the nearest; r = s, s − 1, s − 2 in cells, 1/2 ≤ s < 3/2.
 constexpr auto quadratic = [](const Pack& s, const Axis& axis) {
   const Pack a = Pack(1.5) - s, b = s - Pack(1.0), c = s - Pack(0.5);
-  const std::array<Factor, 3> N{{{.value = Pack(0.5) * a * a, .slope = -a * axis.per_h},
-                                 {.value = Pack(0.75) - b * b, .slope = Pack(-2.0) * b * axis.per_h},
-                                 {.value = Pack(0.5) * c * c, .slope = c * axis.per_h}}};
+  const std::array<Factor, 3> N{{{.value = Pack(0.5) * a * a, .gradient = -a * axis.per_h},
+                                 {.value = Pack(0.75) - b * b, .gradient = Pack(-2.0) * b * axis.per_h},
+                                 {.value = Pack(0.5) * c * c, .gradient = c * axis.per_h}}};
   return end_at_walls(N, axis);
 };
 
@@ -39,10 +39,10 @@ constexpr auto cubic = [](const Pack& s, const Axis& axis) {
   const Pack t = s - Pack(1.0), u = Pack(2.0) - s, tt = t * t, uu = u * u;
   const Pack sixth(1.0 / 6.0), two_thirds(2.0 / 3.0), half(0.5), three_halves(1.5), two(2.0);
   const std::array<Factor, 4> N{
-      {{.value = sixth * uu * u, .slope = -half * uu * axis.per_h},
-       {.value = two_thirds - tt * (Pack(1.0) - half * t), .slope = -t * (two - three_halves * t) * axis.per_h},
-       {.value = two_thirds - uu * (Pack(1.0) - half * u), .slope = u * (two - three_halves * u) * axis.per_h},
-       {.value = sixth * tt * t, .slope = half * tt * axis.per_h}}};
+      {{.value = sixth * uu * u, .gradient = -half * uu * axis.per_h},
+       {.value = two_thirds - tt * (Pack(1.0) - half * t), .gradient = -t * (two - three_halves * t) * axis.per_h},
+       {.value = two_thirds - uu * (Pack(1.0) - half * u), .gradient = u * (two - three_halves * u) * axis.per_h},
+       {.value = sixth * tt * t, .gradient = half * tt * axis.per_h}}};
   return end_at_walls(N, axis);
 };
 

@@ -69,13 +69,13 @@ Domains<Dim> domains_of(const Points<Dim>& points, Index p, const Pack& longest)
 template <int Dim>
 Corner<Dim> corner_of(const Domains<Dim>& domains, int c) {
   constexpr int corners = power(2, Dim);
-  Corner<Dim> corner{.place = domains.centre, .weight = Pack(1.0 / corners), .slope = {}};
-  corner.slope.fill(Pack(0.0));
+  Corner<Dim> corner{.place = domains.centre, .weight = Pack(1.0 / corners), .gradient = {}};
+  corner.gradient.fill(Pack(0.0));
   for (int a = 0; a < Dim; ++a) {
     const Pack s(corner_sign(c, a)), share(corner_sign(c, a) * (1.0 / corners));
     for (int i = 0; i < Dim; ++i) {
       corner.place[i] += s * domains.half[a][i];
-      corner.slope[i] += share * domains.inverse[a][i];
+      corner.gradient[i] += share * domains.inverse[a][i];
     }
   }
   return corner;

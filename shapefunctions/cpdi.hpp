@@ -26,7 +26,7 @@ public:
   /// Every corner reaches the nodes of its cell; a node may stand in several corners' entries.
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }
-  [[nodiscard]] bool loads_corners() const override { return true; }
+  [[nodiscard]] bool traction_at_corners() const override { return true; }
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
   [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
 

@@ -15,7 +15,7 @@ template <int Dim>
 CornerPlaces<Dim> corners_of(const Points<Dim>& points, Index p) {
   CornerPlaces<Dim> x;
   for (int c = 0; c < power(2, Dim); ++c)
-    for (int a = 0; a < Dim; ++a) x[c][a] = load_lanes(points.of_scheme[c * Dim + a], p, points.size());
+    for (int a = 0; a < Dim; ++a) x[c][a] = load_lanes(points.scheme_data[c * Dim + a], p, points.size());
   return x;
 }
 
@@ -36,15 +36,15 @@ std::array<PackVector<3>, 3> cofactors(const std::array<PackVector<3>, 3>& J) {
 template <int Dim>
 struct CornerShape {
   double value = 1.0;
-  std::array<double, Dim> slope;
+  std::array<double, Dim> gradient;
 
   CornerShape(int c, int g) {
     constexpr double place = 0.57735026918962576451; // 1/√3
-    slope.fill(1.0);
+    gradient.fill(1.0);
     for (int a = 0; a < Dim; ++a) {
       const double factor = 0.5 * (1.0 + corner_sign(c, a) * corner_sign(g, a) * place);
       value *= factor;
-      for (int b = 0; b < Dim; ++b) slope[b] *= a == b ? 0.5 * corner_sign(c, a) : factor;
+      for (int b = 0; b < Dim; ++b) gradient[b] *= a == b ? 0.5 * corner_sign(c, a) : factor;
     }
   }
 };
@@ -54,23 +54,23 @@ template <int Dim>
 struct CornerWeights {
   Pack volume{0.0};
   std::array<Pack, power(2, Dim)> value;
-  CornerPlaces<Dim> slope;
+  CornerPlaces<Dim> gradient;
 };
 
 /// w_c = ∫ M_c dx/V and ∫ ∇M_c dx/V. Two points along each axis integrate both exactly: det J and its cofactors are of
 /// second degree in each ξ_a at the most, M_c is of first.
 template <int Dim>
-CornerWeights<Dim> weigh(const CornerPlaces<Dim>& x) {
+CornerWeights<Dim> corner_weights(const CornerPlaces<Dim>& x) {
   constexpr int corners = power(2, Dim);
   CornerWeights<Dim> w;
   w.value.fill(Pack(0.0));
-  for (PackVector<Dim>& slope : w.slope) slope.fill(Pack(0.0));
+  for (PackVector<Dim>& gradient : w.gradient) gradient.fill(Pack(0.0));
   for (int g = 0; g < corners; ++g) {
     std::array<PackVector<Dim>, Dim> J; // J[a] = ∂x/∂ξ_a
     for (PackVector<Dim>& column : J) column.fill(Pack(0.0));
     for (int c = 0; c < corners; ++c)
       for (int a = 0; a < Dim; ++a)
-        for (int i = 0; i < Dim; ++i) J[a][i] += Pack(CornerShape<Dim>(c, g).slope[a]) * x[c][i];
+        for (int i = 0; i < Dim; ++i) J[a][i] += Pack(CornerShape<Dim>(c, g).gradient[a]) * x[c][i];
     const std::array<PackVector<Dim>, Dim> C = cofactors(J);
     Pack det(0.0);
     for (int i = 0; i < Dim; ++i) det += J[0][i] * C[0][i];
@@ -79,13 +79,13 @@ CornerWeights<Dim> weigh(const CornerPlaces<Dim>& x) {
       const CornerShape<Dim> M(c, g);
       w.value[c] += Pack(M.value) * det;
       for (int a = 0; a < Dim; ++a)
-        for (int i = 0; i < Dim; ++i) w.slope[c][i] += Pack(M.slope[a]) * C[a][i];
+        for (int i = 0; i < Dim; ++i) w.gradient[c][i] += Pack(M.gradient[a]) * C[a][i];
     }
   }
   const Pack per_volume = Pack(1.0) / w.volume;
   for (int c = 0; c < corners; ++c) {
     w.value[c] *= per_volume;
-    for (Pack& component : w.slope[c]) component *= per_volume;
+    for (Pack& component : w.gradient[c]) component *= per_volume;
   }
   return w;
 }
@@ -117,7 +117,7 @@ struct LimitedCorners {
       shortened = shortened || factor < Pack(1.0);
       for (int a = 0; a < Dim; ++a) corner[a] = middle[a] + factor * r[a];
     }
-    weights = weigh<Dim>(place);
+    weights = corner_weights<Dim>(place);
     const PackVector<Dim> now = centroid<Dim>(place, weights);
     for (PackVector<Dim>& corner : place)
       for (int a = 0; a < Dim; ++a) corner[a] += middle[a] - now[a];
@@ -147,7 +147,7 @@ PackVector<Dim> velocity_at(const Grid<Dim>& grid, const Nodes<Dim>& nodes, cons
 template <int Dim>
 void move_shortened(const Grid<Dim>& grid, const Nodes<Dim>& nodes, const Points<Dim>& points, Index p, double limit,
                     const CornerPlaces<Dim>& x, CornerPlaces<Dim>& v) {
-  const PackVector<Dim> middle = centroid<Dim>(x, weigh<Dim>(x));
+  const PackVector<Dim> middle = centroid<Dim>(x, corner_weights<Dim>(x));
   const LimitedCorners<Dim> limited(x, middle, Pack(limit * grid.cell.minCoeff()));
   CornerPlaces<Dim> near;
   for (int c = 0; c < power(2, Dim); ++c) near[c] = velocity_at<Dim>(grid, nodes, limited.place[c]);
@@ -164,14 +164,14 @@ void move_shortened(const Grid<Dim>& grid, const Nodes<Dim>& nodes, const Points
 } // namespace
 
 template <int Dim>
-void Cpdi2<Dim>::start(const Grid<Dim>&, Points<Dim>& points) const {
+void Cpdi2<Dim>::initialise(const Grid<Dim>&, Points<Dim>& points) const {
   for (Index p = 0; p < points.size(); ++p) {
     Mat<Dim> R = points.deformation_gradient_of(p);
     for (int a = 0; a < Dim; ++a) R.col(a) *= points.half_size[a][p];
     for (int c = 0; c < power(2, Dim); ++c) {
       Vec<Dim> x = points.position_of(p);
       for (int a = 0; a < Dim; ++a) x += corner_sign(c, a) * R.col(a);
-      for (int a = 0; a < Dim; ++a) points.of_scheme[c * Dim + a][p] = x[a];
+      for (int a = 0; a < Dim; ++a) points.scheme_data[c * Dim + a][p] = x[a];
     }
   }
 }
@@ -181,13 +181,15 @@ void Cpdi2<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Rang
                           Stencils<Dim>& stencils) const {
   for (Index p = block.begin; p < block.end; p += pack_size) {
     CornerPlaces<Dim> x = corners_of(points, p);
-    CornerWeights<Dim> w = weigh<Dim>(x);
+    CornerWeights<Dim> w = corner_weights<Dim>(x);
     if (limit_ > 0.0) {
       const LimitedCorners<Dim> limited(x, centroid<Dim>(x, w), Pack(limit_ * grid.cell.minCoeff()));
       x = limited.place;
       w = limited.weights;
     }
-    const auto corner = [&](int c) { return Corner<Dim>{.place = x[c], .weight = w.value[c], .slope = w.slope[c]}; };
+    const auto corner = [&](int c) {
+      return Corner<Dim>{.place = x[c], .weight = w.value[c], .gradient = w.gradient[c]};
+    };
     fill_corners<Dim>(grid, corner, w.volume > Pack(0.0), stencils.group_of(p));
   }
 }
@@ -203,9 +205,9 @@ void Cpdi2<Dim>::move(const Grid<Dim>& grid, const Nodes<Dim>& nodes, double dt,
     for (int c = 0; c < power(2, Dim); ++c)
       for (int a = 0; a < Dim; ++a) {
         x[c][a] += Pack(dt) * v[c][a];
-        x[c][a].store(points.of_scheme[c * Dim + a] + p);
+        x[c][a].store(points.scheme_data[c * Dim + a] + p);
       }
-    const PackVector<Dim> middle = centroid<Dim>(x, weigh<Dim>(x));
+    const PackVector<Dim> middle = centroid<Dim>(x, corner_weights<Dim>(x));
     for (int a = 0; a < Dim; ++a) middle[a].store(points.position[a] + p);
   }
 }
@@ -214,7 +216,7 @@ template <int Dim>
 Corners<Dim> Cpdi2<Dim>::corners(const Grid<Dim>&, const Points<Dim>& points, Index p) const {
   Corners<Dim> x;
   for (int c = 0; c < power(2, Dim); ++c)
-    for (int a = 0; a < Dim; ++a) x[c][a] = points.of_scheme[c * Dim + a][p];
+    for (int a = 0; a < Dim; ++a) x[c][a] = points.scheme_data[c * Dim + a][p];
   return x;
 }
 

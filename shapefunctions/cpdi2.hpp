@@ -26,10 +26,10 @@ public:
   }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }
-  [[nodiscard]] bool loads_corners() const override { return true; }
+  [[nodiscard]] bool traction_at_corners() const override { return true; }
   /// Coordinate a of corner c [m] stands in column c Dim + a.
-  [[nodiscard]] int columns() const override { return power(2, Dim) * Dim; }
-  void start(const Grid<Dim>& grid, Points<Dim>& points) const override;
+  [[nodiscard]] int point_data_size() const override { return power(2, Dim) * Dim; }
+  void initialise(const Grid<Dim>& grid, Points<Dim>& points) const override;
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
   void move(const Grid<Dim>& grid, const Nodes<Dim>& nodes, double dt, Points<Dim>& points, Range block) const override;
   [[nodiscard]] Corners<Dim> corners(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;

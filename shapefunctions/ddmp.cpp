@@ -101,23 +101,23 @@ int entry_at(const Counts<Dim>& above) {
 
 /// (1 − α) Σ_j S_j/V_j Σ_c ω_c ∫_c S_j ∇S_i: over the cells around each node j of the points' own cell.
 template <int Dim>
-void add_averaged_slopes(const Grid<Dim>& grid, const Columns& of_nodes, const PointsInCells<Dim>& at,
-                         const Pack& share, PatchSlopes<Dim>& slopes) {
+void add_averaged_gradients(const Grid<Dim>& grid, const Columns& node_data, const PointsInCells<Dim>& at,
+                            const Pack& share, PatchSlopes<Dim>& gradients) {
   constexpr int corners = power(2, Dim);
   const Counts<Dim> strides = grid.strides();
   for (int j = 0; j < corners; ++j) {
     Index node = 0;
     for (int a = 0; a < Dim; ++a) node += (1 + bit(j, a)) * strides[a];
-    const Pack of_node = share * at.hat[j] * at.column_at(of_nodes[per_volume], node);
+    const Pack of_node = share * at.hat[j] * at.column_at(node_data[per_volume], node);
     for (int below = 0; below < corners; ++below) { // the cell whose corner `below` is node j
       Counts<Dim> cell;
       Index lowest = 0;
       for (int a = 0; a < Dim; ++a) lowest += (cell[a] = 1 + bit(j, a) - bit(below, a)) * strides[a];
-      const Pack weight = of_node * at.column_at(of_nodes[filling], lowest);
+      const Pack weight = of_node * at.column_at(node_data[filling], lowest);
       for (int i = 0; i < corners; ++i) {
         Counts<Dim> above;
         for (int a = 0; a < Dim; ++a) above[a] = cell[a] + bit(i, a);
-        for (int a = 0; a < Dim; ++a) slopes[entry_at<Dim>(above)][a] += weight * Pack(coupling(grid, below, i, a));
+        for (int a = 0; a < Dim; ++a) gradients[entry_at<Dim>(above)][a] += weight * Pack(coupling(grid, below, i, a));
       }
     }
   }
@@ -135,9 +135,9 @@ const Keys& Ddmp<Dim>::parameters() {
 /// A cell is filled as far as points come near all of its corners, fully from the hat on that a point in its middle
 /// gives them. So nodes that no point reaches have no part in any average, and a cell is left and entered smoothly.
 template <int Dim>
-void Ddmp<Dim>::prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& of_nodes) const {
+void Ddmp<Dim>::prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& node_data) const {
   constexpr int corners = power(2, Dim);
-  double *const near = of_nodes[nearness], *const fill = of_nodes[filling], *const per_V = of_nodes[per_volume];
+  double *const near = node_data[nearness], *const fill = node_data[filling], *const per_V = node_data[per_volume];
   find_nearness(grid, points, near);
   const std::array<Index, corners> offset = corners_of_cell(grid);
   const Index last = grid.node_count() - 1;
@@ -161,13 +161,14 @@ void Ddmp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range
   for (Index p = block.begin; p < block.end; p += pack_size) {
     StencilGroup<Dim>& group = stencils.group_of(p);
     const PointsInCells<Dim> at(grid, points, p);
-    Pack alpha(stencils.of_nodes == nullptr ? 1.0 : alpha_); // rigid bodies have no averages
-    if (stencils.of_nodes != nullptr)
+    Pack alpha(stencils.node_data == nullptr ? 1.0 : alpha_); // rigid bodies have no averages
+    if (stencils.node_data != nullptr)
       for (const Pack& xi : at.xi) alpha *= Pack(4.0) * xi * (Pack(1.0) - xi);
 
-    PatchSlopes<Dim> slopes;
-    for (auto& slope : slopes) slope.fill(Pack(0.0));
-    if (stencils.of_nodes != nullptr) add_averaged_slopes<Dim>(grid, *stencils.of_nodes, at, Pack(1.0) - alpha, slopes);
+    PatchSlopes<Dim> gradients;
+    for (auto& gradient : gradients) gradient.fill(Pack(0.0));
+    if (stencils.node_data != nullptr)
+      add_averaged_gradients<Dim>(grid, *stencils.node_data, at, Pack(1.0) - alpha, gradients);
     set_nodes<4, Dim>(grid.strides(), at.first, group);
     for (int e = 0; e < group.count; ++e) group.set_value(e, Pack(0.0));
     for (int n = 0; n < corners; ++n) {
@@ -179,11 +180,11 @@ void Ddmp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range
         Pack dS(bit(n, a) ? 1.0 / grid.cell[a] : -1.0 / grid.cell[a]);
         for (int b = 0; b < Dim; ++b)
           if (b != a) dS *= bit(n, b) ? at.xi[b] : Pack(1.0) - at.xi[b];
-        slopes[entry][a] += alpha * dS;
+        gradients[entry][a] += alpha * dS;
       }
     }
     for (int e = 0; e < group.count; ++e)
-      for (int a = 0; a < Dim; ++a) group.set_slope(e, a, slopes[e][a]);
+      for (int a = 0; a < Dim; ++a) group.set_gradient(e, a, gradients[e][a]);
     group.lowest = whole_numbers(at.first_row[Dim - 1]);
     for (int k = 0; k < pack_size; ++k) group.highest[k] = group.lowest[k] + 3;
     group.keep_lanes(at.inside);

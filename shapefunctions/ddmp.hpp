@@ -20,11 +20,11 @@ public:
   }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
-  [[nodiscard]] bool spreads_points() const override { return false; } // its weights are hats
-  [[nodiscard]] bool slopes_follow_weights() const override { return false; }
+  [[nodiscard]] bool supports_apic() const override { return false; } // its weights are hats
+  [[nodiscard]] bool gradients_follow_weights() const override { return false; }
   /// How near a point comes to the node, the filling of the cell above it, and 1 over the filled volume around it.
-  [[nodiscard]] int node_columns() const override { return 3; }
-  void prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& of_nodes) const override;
+  [[nodiscard]] int node_data_size() const override { return 3; }
+  void prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& node_data) const override;
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
 
 private:

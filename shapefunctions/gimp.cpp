@@ -10,24 +10,24 @@ namespace {
 
 /// The hat averaged over [r − l, r + l], l ≤ h: Bardenhagen & Kober (2004), eq. (44). The paper's cases by |r| are one
 /// expression in the hat and its integral at the two ends, which also holds for boxes wider than a cell (l > h/2).
-constexpr auto averaged_hat = [](const Pack& r, const Axis& axis) -> ValueSlope<Pack> {
+constexpr auto averaged_hat = [](const Pack& r, const Axis& axis) -> ValueGradient<Pack> {
   const Pack a = max(min(r - axis.l, axis.h), -axis.h), b = max(min(r + axis.l, axis.h), -axis.h); // inside the support
   const Pack a_share = abs(a) * axis.per_h, b_share = abs(b) * axis.per_h;
   // ∫ hat = s − s |s|/(2 h), the hat itself 1 − |s|/h.
   const Pack area = (b - a) + Pack(0.5) * (a * a_share - b * b_share);
-  return {.value = area * axis.per_2l, .slope = (a_share - b_share) * axis.per_2l};
+  return {.value = area * axis.per_2l, .gradient = (a_share - b_share) * axis.per_2l};
 };
 
 /// The same for boxes no wider than a cell. They reach from u = s − l/h in the first cell to u + 2 l/h, in that cell up
 /// to c, and t beyond it: the outer nodes average one arm of their hats, and the one between gets what is left of 1.
-constexpr auto narrow_box = [](const Pack& s, const Axis& axis) -> std::array<ValueSlope<Pack>, 3> {
+constexpr auto narrow_box = [](const Pack& s, const Axis& axis) -> std::array<ValueGradient<Pack>, 3> {
   const Pack half = axis.l * axis.per_h, u = s - half, c = min(s + half, Pack(1.0)), t = (s + half) - c;
   const Pack per_area = axis.per_2l * axis.h * Pack(0.5);
   const Pack first = (c - u) * (Pack(2.0) - (u + c)) * per_area, last = t * t * per_area;
-  const Pack first_slope = (u - c) * axis.per_2l, last_slope = t * axis.per_2l;
-  return {{{.value = first, .slope = first_slope},
-           {.value = Pack(1.0) - (first + last), .slope = -(first_slope + last_slope)},
-           {.value = last, .slope = last_slope}}};
+  const Pack first_gradient = (u - c) * axis.per_2l, last_gradient = t * axis.per_2l;
+  return {{{.value = first, .gradient = first_gradient},
+           {.value = Pack(1.0) - (first + last), .gradient = -(first_gradient + last_gradient)},
+           {.value = last, .gradient = last_gradient}}};
 };
 constexpr auto wide_box = [](const Pack& s, const Axis& axis) { return at_each_node<4>(s, axis, averaged_hat); };
 

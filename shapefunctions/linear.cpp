@@ -6,8 +6,8 @@ namespace riedel {
 
 namespace {
 /// N = 1 − |r|/h at both nodes of the cell.
-constexpr auto hats = [](const Pack& s, const Axis& axis) -> std::array<ValueSlope<Pack>, 2> {
-  return {{{.value = Pack(1.0) - s, .slope = -axis.per_h}, {.value = s, .slope = axis.per_h}}};
+constexpr auto hats = [](const Pack& s, const Axis& axis) -> std::array<ValueGradient<Pack>, 2> {
+  return {{{.value = Pack(1.0) - s, .gradient = -axis.per_h}, {.value = s, .gradient = axis.per_h}}};
 };
 } // namespace
 

@@ -44,8 +44,8 @@ Weights tilted(const Row& c, const Pack& theta, const Pack& nearest) {
 /// Because nodes stand in rows, the product over the axes of functions of least bias is the function of least bias. One
 /// axis: N_a ∝ exp(−γ (s − a)² + λ (s − a)) = c_a exp(θ a) but for what all nodes share, with c_a = exp(−γ a²), and the
 /// mean of a must be s, the place in the cell.
-std::array<ValueSlope<Pack>, nodes_in_row> least_biased(const Pack& place, const Axis& axis, double gamma,
-                                                        const Row& fading, int newton_steps) {
+std::array<ValueGradient<Pack>, nodes_in_row> least_biased(const Pack& place, const Axis& axis, double gamma,
+                                                           const Row& fading, int newton_steps) {
   const Pack s = place - Pack(static_cast<double>(below)), cell = axis.first + Pack(static_cast<double>(below));
   const Pack first_wall(axis.walls.first), last_wall(axis.walls.last);
   Row c;
@@ -65,10 +65,10 @@ std::array<ValueSlope<Pack>, nodes_in_row> least_biased(const Pack& place, const
     theta += (s - nearest - weights.mean) / weights.variance;
     weights = tilted(c, theta, nearest);
   }
-  std::array<ValueSlope<Pack>, nodes_in_row> factor;
+  std::array<ValueGradient<Pack>, nodes_in_row> factor;
   const Pack scale = axis.per_h / weights.variance;
   for (int i = 0; i < nodes_in_row; ++i)
-    factor[i] = {.value = weights.N[i], .slope = weights.N[i] * (number_of(i) - nearest - weights.mean) * scale};
+    factor[i] = {.value = weights.N[i], .gradient = weights.N[i] * (number_of(i) - nearest - weights.mean) * scale};
   return factor;
 }
 

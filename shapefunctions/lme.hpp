@@ -20,7 +20,7 @@ public:
   }
   [[nodiscard]] int max_nodes() const override { return power(6, Dim); }
   [[nodiscard]] int margin() const override { return 2; }
-  [[nodiscard]] double least_weight() const override { return 1e-60; }
+  [[nodiscard]] double mass_cutoff() const override { return 1e-60; }
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
 
 private:

@@ -12,8 +12,8 @@ Mat<Dim> Apic<Dim>::velocity_moment(const Points<Dim>& points, Index p) const {
   return B;
 }
 
-template class AffineTransfer<2, ApicSlope<2>, TakeFromGrid<2>>;
-template class AffineTransfer<3, ApicSlope<3>, TakeFromGrid<3>>;
+template class AffineTransfer<2, ApicGradient<2>, TakeFromGrid<2>>;
+template class AffineTransfer<3, ApicGradient<3>, TakeFromGrid<3>>;
 template class Apic<2>;
 template class Apic<3>;
 

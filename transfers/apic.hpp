@@ -3,13 +3,13 @@
 #pragma once
 
 #include "transfers/kit/affine.hpp"
-#include "transfers/kit/apic_slope.hpp"
+#include "transfers/kit/apic_gradient.hpp"
 #include "transfers/kit/blend.hpp"
 
 namespace riedel {
 
 template <int Dim>
-class Apic final : public AffineTransfer<Dim, ApicSlope<Dim>, TakeFromGrid<Dim>> {
+class Apic final : public AffineTransfer<Dim, ApicGradient<Dim>, TakeFromGrid<Dim>> {
 public:
   static constexpr std::string_view name = "apic";
 

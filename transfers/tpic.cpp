@@ -4,8 +4,8 @@
 
 namespace riedel {
 
-template class AffineTransfer<2, TaylorSlope<2>, TakeFromGrid<2>>;
-template class AffineTransfer<3, TaylorSlope<3>, TakeFromGrid<3>>;
+template class AffineTransfer<2, TaylorGradient<2>, TakeFromGrid<2>>;
+template class AffineTransfer<3, TaylorGradient<3>, TakeFromGrid<3>>;
 template class Tpic<2>;
 template class Tpic<3>;
 

@@ -11,7 +11,7 @@ namespace riedel {
 /// A point keeps the gradient C_p = Σ_i v_i ⊗ ∇N_ip [1/s] of the velocities it took its own from, and gives its nodes
 /// Taylor's series about it.
 template <int Dim>
-struct TaylorSlope {
+struct TaylorGradient {
   static constexpr bool keeps_gradient = true;
 
   /// Σ_i N_ip v_i and C_p of eight points. @return C_p by columns
@@ -21,11 +21,11 @@ struct TaylorSlope {
     return sum.gradient.vectors();
   }
 
-  static const PackMatrix<Dim>& slope(const PackMatrix<Dim>& C, const PackMatrix<Dim>& /*D*/) { return C; }
+  static const PackMatrix<Dim>& gradient(const PackMatrix<Dim>& C, const PackMatrix<Dim>& /*D*/) { return C; }
 };
 
 template <int Dim>
-class Tpic final : public AffineTransfer<Dim, TaylorSlope<Dim>, TakeFromGrid<Dim>> {
+class Tpic final : public AffineTransfer<Dim, TaylorGradient<Dim>, TakeFromGrid<Dim>> {
 public:
   static constexpr std::string_view name = "tpic";
 

@@ -1,7 +1,7 @@
 #include "transfers/xpic.hpp"
 
 #include "core/step/group_walk.hpp"
-#include "core/step/kernels/point_shares.hpp"
+#include "core/step/kernels/point_contributions.hpp"
 
 namespace riedel {
 
@@ -12,15 +12,16 @@ template <int Dim>
 void send_there_and_back(State<Dim>& state, const Model<Dim>& model, const AlignedVector<NodeMotion<Dim>>& t) {
   clear_momentum(state.nodes);
   for (Body<Dim>& body : state.bodies)
-    add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
-      Gathered<Dim> sum;
-      gather<Use::values>(group.stencil, t, sum);
-      const std::array<Pack, 4> of_points = sum.motion.front().columns();
-      std::array<Pack, Dim> velocity;
-      std::copy_n(of_points.begin(), Dim, velocity.begin());
-      shares.mass.put(momenta<Dim>(body.points, group.first, velocity));
-      scatter<Use::values>(group, shares, state.nodes);
-    });
+    add_in_slab_order<PointContributions<Dim>>(
+        state, model, body, [&](const SlabGroup<Dim>& group, PointContributions<Dim>& contributions) {
+          Gathered<Dim> sum;
+          gather<Use::weights>(group.stencil, t, sum);
+          const std::array<Pack, 4> of_points = sum.motion.front().columns();
+          std::array<Pack, Dim> velocity;
+          std::copy_n(of_points.begin(), Dim, velocity.begin());
+          contributions.mass.put(momenta<Dim>(body.points, group.first, velocity));
+          scatter<Use::weights>(group, contributions, state.nodes);
+        });
 }
 
 } // namespace
@@ -55,7 +56,7 @@ void Xpic<Dim>::filter_velocities(State<Dim>& state, const Model<Dim>& model) co
   }
   for_each_group(state, model, [&](Body<Dim>& body, const StencilGroup<Dim>& stencil, Index p) {
     Gathered<Dim> sum;
-    gather<Use::values>(stencil, filter, sum);
+    gather<Use::weights>(stencil, filter, sum);
     const std::array<Pack, 4> u = sum.motion.back().columns();
     for (int a = 0; a < Dim; ++a) u[Dim == 2 ? 2 + a : a].store(body.points.velocity[a] + p);
   });

@@ -161,14 +161,14 @@ void BareKernel<Law, States, Nodes>::grid_to_points(const Group& g, Lanes<8>& ro
     const Node* node = nodes_.data() + w.base[k];
     Four motion{}, along_x{}, along_y{};
     for (int j = 0; j < Nodes; ++j, node += grid_.nodes[0]) {
-      Four value{}, slope{};
+      Four value{}, gradient{};
       for (int i = 0; i < Nodes; ++i) {
         const Four& at = *reinterpret_cast<const Four*>(node[i].a);
         value += w.N[0][i][k] * at;
-        slope += w.dN[0][i][k] * at;
+        gradient += w.dN[0][i][k] * at;
       }
       motion += w.N[1][j][k] * value;
-      along_x += w.N[1][j][k] * slope;
+      along_x += w.N[1][j][k] * gradient;
       along_y += w.dN[1][j][k] * value;
     }
     *reinterpret_cast<Four*>(rows[k]) = motion;

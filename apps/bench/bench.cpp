@@ -96,7 +96,7 @@ int bench(const Arguments& arguments) {
   if (peers && machine) throw InputError("--peers and --machine: one at a time");
   if (peers || machine) refuse_choices(arguments, peers ? "peers" : "machine");
   check_json(arguments);
-  const Catalogue catalogue = inventory(arguments.list("plugin", {})).catalogue;
+  const Catalogue catalogue = load_catalogue(arguments.list("plugin", {})).catalogue;
   BenchEffort effort = bench_effort(arguments);
   const std::vector<BenchCase> cases = peers ? peer_cases() : bench_cases(arguments, catalogue);
 

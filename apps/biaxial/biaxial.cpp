@@ -135,7 +135,7 @@ int run_to_some_end(const Order& order, OutputFolder& output) {
 
 int biaxial(const Arguments& arguments) {
   const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
-  Catalogue catalogue = inventory(file).catalogue;
+  Catalogue catalogue = load_catalogue(file).catalogue;
   CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& note : given.notes) print_note(note);
   for (const std::string& warning : given.warnings) print_warning(warning);

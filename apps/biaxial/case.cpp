@@ -66,7 +66,7 @@ CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
   std::vector<std::string> notes;
   if (uses) notes = fit_defaults(keys, *uses, given, first);
   const auto check = [&](const Values& values) {
-    Findings found = check_biaxial(BiaxialCase(values), catalogue);
+    Diagnostics found = check_biaxial(BiaxialCase(values), catalogue);
     if (uses) check_uses(*uses, given, values, catalogue, found.errors);
     check_idle_keys(given, keys, values, found.warnings);
     check_sense(given, BiaxialCase(values), catalogue, found);

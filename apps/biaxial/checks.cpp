@@ -100,8 +100,8 @@ void check_sides(const BiaxialCase& v, const Catalogue& catalogue, std::vector<F
 
 } // namespace
 
-Findings check_biaxial(const BiaxialCase& values, const Catalogue& catalogue) {
-  Findings found;
+Diagnostics check_biaxial(const BiaxialCase& values, const Catalogue& catalogue) {
+  Diagnostics found;
   check_limits_of_void_ratio(values.keys, found.errors);
   const std::string pressure = "loading.confining_pressure";
   for (const char* key : {"specimen.void_ratio", "imperfection.void_ratio"})

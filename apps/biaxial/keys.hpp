@@ -15,7 +15,7 @@ namespace riedel {
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model);
 
 /// What one key cannot see.
-Findings check_biaxial(const BiaxialCase& values, const Catalogue& catalogue);
+Diagnostics check_biaxial(const BiaxialCase& values, const Catalogue& catalogue);
 
 /// @throws InputError with a line for everything that is wrong
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue);

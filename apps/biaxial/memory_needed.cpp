@@ -31,7 +31,7 @@ double columns_of_a_point(const ShapeFunction<Dim>& scheme, const VelocityTransf
   points.resize(0, states);
   double columns = Dim; // Δt Σ N v
   for (const Columns* field : points.fields()) columns += field->components();
-  return columns + scheme.columns() + transfer.point_data_size();
+  return columns + scheme.point_data_size() + transfer.point_data_size();
 }
 
 /// Numbers that a frame holds of a point: place, corners, the law's state and what `snapshot` adds to it.
@@ -91,10 +91,10 @@ MemoryNeeded needed(const BiaxialCase& v, const Catalogue& catalogue) {
   constexpr double numbering = 6 * sizeof(Index) + sizeof(double); // ids, places and the space of a sort
   need.points = points * (sizeof(double) * columns_of_a_point(*scheme, *transfer, states) + numbering);
   constexpr double sums = sizeof(NodeSums<Dim>), motion = sizeof(NodeMotion<Dim>), number = sizeof(double);
-  need.nodes = nodes * (sums + motion * (1.0 + transfer->node_records()) + number * scheme->node_columns());
+  need.nodes = nodes * (sums + motion * (1.0 + transfer->node_records()) + number * scheme->node_data_size());
   if (filters_stresses(v.keys)) {
-    need.points += points * (sizeof(Few<8>) + number);
-    need.nodes += nodes * (3.0 * sizeof(Few<8>) + number);
+    need.points += points * (sizeof(ShortVector<8>) + number);
+    need.nodes += nodes * (3.0 * sizeof(ShortVector<8>) + number);
   }
   need.stencils = bytes_of_stencils<Dim>(v, *scheme, points);
   need.neighbours = law->nonlocal_variables().empty()

@@ -106,7 +106,7 @@ private:
 
 } // namespace
 
-void check_random_field(const BiaxialCase& v, const Catalogue& catalogue, Findings& found) {
+void check_random_field(const BiaxialCase& v, const Catalogue& catalogue, Diagnostics& found) {
   if (v.imperfection.deviation == 0.0 || !found.errors.empty()) return;
   const std::string& model = v.material.model;
   const auto law = catalogue.materials.find(model).make(v.material.parameters);

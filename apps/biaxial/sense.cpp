@@ -30,7 +30,7 @@ struct Sense {
   const Material& law;
   ExpectedWork expected;
   double width, height, wave_speed;
-  Findings& found;
+  Diagnostics& found;
 
   void warn(std::vector<std::string> keys, std::string text) const {
     found.warnings.push_back({std::move(keys), std::move(text)});
@@ -178,7 +178,7 @@ std::vector<Finding> time_step_doubts(const BiaxialCase& v, const ExpectedWork& 
                " s at the start: the run may blow up, or be wrong without a sign"}};
 }
 
-void check_sense(const CaseFile& given, const BiaxialCase& v, const Catalogue& catalogue, Findings& found) {
+void check_sense(const CaseFile& given, const BiaxialCase& v, const Catalogue& catalogue, Diagnostics& found) {
   if (!found.errors.empty()) return;
   std::unique_ptr<Material> law;
   try {

@@ -10,7 +10,7 @@ namespace riedel {
 
 /// Refuses what is surely absurd and warns of what is likely so, with the number that tells. Looks at a case without
 /// errors alone.
-void check_sense(const CaseFile& given, const BiaxialCase& values, const Catalogue& catalogue, Findings& found);
+void check_sense(const CaseFile& given, const BiaxialCase& values, const Catalogue& catalogue, Diagnostics& found);
 
 /// Points, steps and time, from the law's own wave speed.
 ExpectedWork expected_work_of(const BiaxialCase& values, const Catalogue& catalogue);

@@ -5,10 +5,10 @@
 #include "apps/compare/study.hpp"
 #include "apps/kinds.hpp"
 #include "core/base/error.hpp"
-#include "core/campaign/carry_out.hpp"
 #include "core/campaign/record.hpp"
 #include "core/campaign/report.hpp"
 #include "core/campaign/results_table.hpp"
+#include "core/campaign/run_campaign.hpp"
 #include "core/campaign/script.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/messages.hpp"
@@ -69,7 +69,7 @@ int compare(const Arguments& arguments) {
   const Study study = study_of(arguments);
   const Plan plan =
       plan_of(kind_of(study.given), study.title, arguments.command, variants_of(study.given, study.variations),
-              [](const CaseFile& given) { return inventory(given).catalogue; });
+              [](const CaseFile& given) { return load_catalogue(given).catalogue; });
   for (const std::string& warning : plan.warnings) print_warning(warning);
   if (arguments.has("dry-run")) {
     print_runs(plan);
@@ -84,7 +84,7 @@ int compare(const Arguments& arguments) {
               << "\n";
     return 0;
   }
-  carry_out(plan, folder, {"compare", threads, [&] { return static_cast<bool>(interrupt); }});
+  run_campaign(plan, folder, {"compare", threads, [&] { return static_cast<bool>(interrupt); }});
   const int code = write_results(campaign.plan, folder);
   return interrupt ? interrupt.exit_code() : code;
 }

@@ -38,7 +38,7 @@ Texts schemes_of(const Arguments& arguments, const CaseFile& file) {
   const Texts listed = file.peek_texts("compare.schemes").value_or(Texts{});
   if (file.peek_texts("compare.schemes") && listed.empty())
     throw InputError(file.place("compare.schemes") + ": the list is empty");
-  const Texts known = inventory(file.without("compare")).catalogue.in_2d.schemes.names();
+  const Texts known = load_catalogue(file.without("compare")).catalogue.in_2d.schemes.names();
   const Texts wished = arguments.list("schemes", listed);
   if (arguments.has("schemes") && wished.empty()) throw InputError("--schemes: the list is empty");
   if (wished == Texts{"all"}) return known;

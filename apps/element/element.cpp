@@ -120,7 +120,7 @@ ElementCurve carry_out(const ElementRun& run, const Manner& manner) {
   const PoreWater water = element_path(values).water;
   History history(run.folder / "element.csv", element_columns(test, water.present()));
   std::optional<IncrementalOutput> output;
-  const auto write_row = [&](const ElementRow& row, const LawPoint& point) {
+  const auto write_row = [&](const ElementRow& row, const MaterialPoint& point) {
     history.add(element_numbers(row, test, water.present()));
     if (manner.imported && !output)
       output.emplace(run.folder / "output.txt", *law_of(values, manner.catalogue), water, values.section("material"));
@@ -208,7 +208,7 @@ std::filesystem::path input_of(const Arguments& arguments) {
 
 int element(const Arguments& arguments) {
   const std::string test = test_named(arguments);
-  const Catalogue catalogue = inventory(given_file(arguments, test)).catalogue;
+  const Catalogue catalogue = load_catalogue(given_file(arguments, test)).catalogue;
   const std::filesystem::path folder = arguments.out(standard_folder(arguments, test));
   const ThreadRange threads = arguments.threads();
   const std::vector<ElementRun> runs = runs_of(arguments, test, catalogue, folder);

@@ -164,8 +164,8 @@ void check_specimen(const Values& v, std::vector<Finding>& errors) {
     errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a triaxial test is not; allowed: 3, \"auto\""});
 }
 
-Findings check_element(const Values& v, const Catalogue& catalogue) {
-  Findings found;
+Diagnostics check_element(const Values& v, const Catalogue& catalogue) {
+  Diagnostics found;
   check_limits_of_void_ratio(v, found.errors);
   const StartPressure start = start_pressure(v);
   const double least = v.has("material.minimum_pressure") ? v.number("material.minimum_pressure") : -1.0;

@@ -13,7 +13,7 @@ namespace riedel {
 namespace {
 
 /// The strain that the test prescribes: of the shear test, or of any other.
-double prescribed_strain(const LawPoint& mean, const Values& v) {
+double prescribed_strain(const MaterialPoint& mean, const Values& v) {
   return v.text("test") == "shear" ? mean.F(0, 1) : 1.0 - mean.F(0, 0);
 }
 
@@ -40,7 +40,7 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
   ElementCurve curve{.test = v.text("test"), .energies = ElementEnergies{}};
   ElementRows rows(law, v.number("specimen.void_ratio"), v.number("output.every_strain"), path.friction, path.water,
                    watch, curve.rows);
-  LawPoint mean{.state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
+  MaterialPoint mean{.state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
   const auto follow = [&] {
     curve.steps = simulation.state().step;
     follow_element(mean, simulation);

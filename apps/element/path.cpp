@@ -141,12 +141,12 @@ std::string Stop::text() const {
          (measure->unit == "-" ? "" : " " + measure->unit);
 }
 
-Leg leg_from(const PathLeg& leg, const LawPoint& point, const PoreWater& water) {
-  Leg result{.conditions = {},
-             .duration = leg.duration,
-             .motion = leg.spin ? Leg::Motion::simple_shear : Leg::Motion::no_spin};
+LoadStep leg_from(const PathLeg& leg, const MaterialPoint& point, const PoreWater& water) {
+  LoadStep result{.conditions = {},
+                  .duration = leg.duration,
+                  .motion = leg.spin ? LoadStep::Motion::simple_shear : LoadStep::Motion::no_spin};
   if (leg.deformation) {
-    result.motion = Leg::Motion::given;
+    result.motion = LoadStep::Motion::given;
     result.deformation = *leg.deformation;
     return result;
   }

@@ -15,7 +15,7 @@ struct Stop {
   bool above; ///< ends when the measure is above the limit, or else below
   double limit;
 
-  [[nodiscard]] bool reached(const LawPoint& point, const PoreWater& water) const {
+  [[nodiscard]] bool reached(const MaterialPoint& point, const PoreWater& water) const {
     const double value = measure->at(point, water);
     return above ? value > limit : value < limit;
   }
@@ -54,7 +54,7 @@ struct ElementPath {
 };
 
 /// The leg for a point that stands at its start.
-Leg leg_from(const PathLeg& leg, const LawPoint& point, const PoreWater& water);
+LoadStep leg_from(const PathLeg& leg, const MaterialPoint& point, const PoreWater& water);
 
 /// The path of a validated element case.
 ElementPath element_path(const Values& values);

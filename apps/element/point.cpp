@@ -7,8 +7,8 @@ namespace riedel {
 
 namespace {
 
-LawPoint start_of(const Material& law, const Sym<double>& stress, const Values& values) {
-  LawPoint start{.stress = stress, .state = law.initial_state()};
+MaterialPoint start_of(const Material& law, const Sym<double>& stress, const Values& values) {
+  MaterialPoint start{.stress = stress, .state = law.initial_state()};
   const int e = state_column(law.states(), "void_ratio");
   if (e >= 0) start.state[static_cast<std::size_t>(e)] = values.number("specimen.void_ratio");
   const int h = state_column(law.states(), "intergranular_strain");
@@ -16,7 +16,7 @@ LawPoint start_of(const Material& law, const Sym<double>& stress, const Values& 
     for (std::size_t c = 0; c < 3; ++c)
       if (const double x = values.numbers("initial.intergranular_strain")[c]; x != 0.0)
         start.state[static_cast<std::size_t>(h) + c] = -x;
-  if (survey(law, start).out_of_bounds > 0)
+  if (assess(law, start).out_of_bounds > 0)
     throw InputError("the law does not admit the state at the start: void ratio " +
                      exact_text(values.number("specimen.void_ratio")) + ", mean pressure " +
                      exact_text(-trace(stress) / 3.0) + " Pa");
@@ -57,7 +57,7 @@ private:
 
   End follow(const PathLeg& leg, const PathStage& stage) {
     End end = End::reached;
-    driver_.follow(leg_from(leg, driver_.point(), path_.water), [&](const LawPoint& point) {
+    driver_.follow(leg_from(leg, driver_.point(), path_.water), [&](const MaterialPoint& point) {
       rows_.look(point);
       if (watch_.stop())
         end = End::interrupted;
@@ -80,7 +80,7 @@ private:
 ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch) {
   const ElementPath path = element_path(values);
   const auto law = catalogue.materials.find(values.text("material.model")).make(values.section("material"));
-  const LawPoint start = start_of(*law, path.stress, values);
+  const MaterialPoint start = start_of(*law, path.stress, values);
   ElementCurve curve{.test = values.text("test"), .water = path.water.present()};
   const double every = values.number("output.every_strain");
   PointDriver driver(*law, start,

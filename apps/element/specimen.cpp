@@ -143,7 +143,7 @@ Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const 
 }
 
 template <int Dim>
-void follow_element(LawPoint& mean, const Simulation<Dim>& simulation) {
+void follow_element(MaterialPoint& mean, const Simulation<Dim>& simulation) {
   const Points<Dim>& points = simulation.state().bodies.front().points;
   const double slide = mean.F(0, 1);
   double volume = 0.0, volume_0 = 0.0;
@@ -182,8 +182,8 @@ double stress_spread(const Simulation<Dim>& simulation, const Sym<double>& mean)
 
 template Simulation<2> make_element<2>(const Values&, const Catalogue&, const Sym<double>&);
 template Simulation<3> make_element<3>(const Values&, const Catalogue&, const Sym<double>&);
-template void follow_element<2>(LawPoint&, const Simulation<2>&);
-template void follow_element<3>(LawPoint&, const Simulation<3>&);
+template void follow_element<2>(MaterialPoint&, const Simulation<2>&);
+template void follow_element<3>(MaterialPoint&, const Simulation<3>&);
 template double stress_spread<2>(const Simulation<2>&, const Sym<double>&);
 template double stress_spread<3>(const Simulation<3>&, const Sym<double>&);
 

@@ -4,7 +4,7 @@
 #include "core/case/step_keys.hpp"
 #include "core/interface/catalogue.hpp"
 #include "core/step/simulation.hpp"
-#include "materials/element/law_point.hpp"
+#include "materials/element/material_point.hpp"
 
 namespace riedel {
 
@@ -25,7 +25,7 @@ Simulation<Dim> make_element(const Values& values, const Catalogue& catalogue, c
 /// The specimen seen as one point: F is the mean over its first volume, stress and state over its present one. Called
 /// after every step, because natural shear adds up.
 template <int Dim>
-void follow_element(LawPoint& mean, const Simulation<Dim>& simulation);
+void follow_element(MaterialPoint& mean, const Simulation<Dim>& simulation);
 
 /// Greatest distance of a point's stress from the mean, over the mean's size [-].
 template <int Dim>

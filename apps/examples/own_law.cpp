@@ -17,7 +17,7 @@ public:
   }
   std::span<const StateVariable> states() const override { return {}; }
   double density(std::span<const double>) const override { return solid_.density; }
-  Survey survey(const MaterialBatch&) const override { // the fastest wave, from which the time step follows
+  MaterialLimits assess(const MaterialBatch&) const override { // the fastest wave, from which the time step follows
     return {.wave_speed = std::sqrt(10.0 * solid_.longitudinal() / solid_.density)};
   }
 

@@ -2,7 +2,7 @@
 /// where the material comes apart. Fei, Guo, Wu, Huang & Gao (2021), ACM Trans. Graph. 40(4), 109.
 #include "core/step/transfer_plugin.hpp"
 #include "transfers/kit/affine.ipp"
-#include "transfers/kit/apic_slope.hpp"
+#include "transfers/kit/apic_gradient.hpp"
 #include "transfers/kit/blend.hpp"
 
 namespace {
@@ -28,7 +28,7 @@ struct Apart {
 };
 
 template <int Dim>
-class Asflip final : public AffineTransfer<Dim, ApicSlope<Dim>, Apart<Dim>> {
+class Asflip final : public AffineTransfer<Dim, ApicGradient<Dim>, Apart<Dim>> {
 public:
   static constexpr std::string_view name = "asflip", summary = "affine, with FLIP's changes and points that come apart",
                                     source = "Fei, Guo, Wu, Huang & Gao (2021)";
@@ -37,7 +37,7 @@ public:
             {"asflip_apart", 1.0, "-", between(0, 1), "how far points that have grown follow their own velocities"}};
   }
   explicit Asflip(const Values& given)
-      : AffineTransfer<Dim, ApicSlope<Dim>, Apart<Dim>>({given.number("asflip"), given.number("asflip_apart")}) {}
+      : AffineTransfer<Dim, ApicGradient<Dim>, Apart<Dim>>({given.number("asflip"), given.number("asflip_apart")}) {}
 
   [[nodiscard]] TransferTraits traits() const override { return {.spread = TransferTraits::Spread::needed}; }
   [[nodiscard]] std::string damping_text() const override {

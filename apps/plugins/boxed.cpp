@@ -28,16 +28,16 @@ public:
   }
 
 private:
-  /// [B(r + l) − B(r − l)]/2l and its slope, with B the integral of the hat from 0.
-  static std::array<ValueSlope<Pack>, 3> three_factors(const Pack& s, const Axis& axis) {
+  /// [B(r + l) − B(r − l)]/2l and its gradient, with B the integral of the hat from 0.
+  static std::array<ValueGradient<Pack>, 3> three_factors(const Pack& s, const Axis& axis) {
     return at_each_node<3>(s, axis, [](const Pack& r, const Axis& a) {
       const auto hat = [&](const Pack& x) { return max(Pack(1.0) - abs(x) * a.per_h, Pack(0.0)); };
       const auto integral = [&](const Pack& x) {
         const Pack c = max(-a.h, min(x, a.h));
         return c - c * abs(c) * (Pack(0.5) * a.per_h);
       };
-      return ValueSlope<Pack>{.value = (integral(r + a.l) - integral(r - a.l)) * a.per_2l,
-                              .slope = (hat(r + a.l) - hat(r - a.l)) * a.per_2l};
+      return ValueGradient<Pack>{.value = (integral(r + a.l) - integral(r - a.l)) * a.per_2l,
+                                 .gradient = (hat(r + a.l) - hat(r - a.l)) * a.per_2l};
     });
   }
 

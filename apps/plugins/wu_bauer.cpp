@@ -56,7 +56,7 @@ public:
     return grain_density_ / (1.0 + state[0]);
   }
   /// No eigenvalue of a compressive σ exceeds |tr σ|, so ‖σ°‖ is at most Σ|C| |tr σ| ‖D‖.
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override {
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override {
     double square_of_speed = 0.0;
     for (Index p = 0; p < batch.size; ++p) {
       const Sym<double> sigma = seen(Sym<double>{{batch.stress[0][p], batch.stress[1][p], batch.stress[2][p]}});

@@ -5,10 +5,10 @@
 #include "apps/reproduce/figures.hpp"
 #include "apps/reproduce/statements.hpp"
 #include "core/base/error.hpp"
-#include "core/campaign/carry_out.hpp"
 #include "core/campaign/record.hpp"
 #include "core/campaign/report.hpp"
 #include "core/campaign/results_table.hpp"
+#include "core/campaign/run_campaign.hpp"
 #include "core/io/atomic_file.hpp"
 #include "core/io/marked_document.hpp"
 #include "core/io/progress.hpp"
@@ -111,9 +111,9 @@ PaperRuns runs_of(const RunKind& kind, const Arguments& arguments, const std::ve
                   const fs::path& folder, const Interrupt& interrupt) {
   if (variants.empty()) return {.folder = OutputFolder(folder, arguments.command, true), .results = {}};
   const Plan plan = plan_of(kind, "The paper", arguments.command, variants,
-                            [](const CaseFile& given) { return inventory(given).catalogue; });
+                            [](const CaseFile& given) { return load_catalogue(given).catalogue; });
   OpenCampaign campaign = open_campaign(folder, plan, arguments.force(), run_kinds());
-  carry_out(plan, folder, {"reproduce", arguments.threads().most, [&] { return static_cast<bool>(interrupt); }});
+  run_campaign(plan, folder, {"reproduce", arguments.threads().most, [&] { return static_cast<bool>(interrupt); }});
   const std::vector<RunResult> results = results_of(campaign.plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
   return {.folder = std::move(campaign.folder), .results = results};
@@ -124,7 +124,7 @@ PaperRuns runs_of(const RunKind& kind, const Arguments& arguments, const std::ve
 int reproduce(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Figures figures = wanted_figures(arguments);
-  const Catalogue catalogue = inventory().catalogue;
+  const Catalogue catalogue = load_catalogue().catalogue;
   const std::vector<std::string> scheme = arguments.names("scheme", {}, catalogue.in_2d.schemes.names());
   std::vector<Variant> variants;
   std::vector<Way> ways = wanted_ways(arguments);

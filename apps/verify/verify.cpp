@@ -77,7 +77,7 @@ void write_results(const Studies& studies, const std::string& status, OutputFold
 } // namespace
 
 int verify(const Arguments& arguments) {
-  const Catalogue catalogue = inventory(arguments.list("plugin", {})).catalogue;
+  const Catalogue catalogue = load_catalogue(arguments.list("plugin", {})).catalogue;
   const Names all_schemes = catalogue.in_2d.schemes.names(), all_problems = problem_names();
   const Names schemes = arguments.names("schemes", all_schemes, all_schemes);
   const Names problems = arguments.names("problems", all_problems, all_problems);

@@ -48,7 +48,7 @@ struct instructions::Pack {
 };
 
 template <class Real>
-using Truth = std::conditional_t<std::is_same_v<Real, Pack>, Mask, bool>;
+using MaskOf = std::conditional_t<std::is_same_v<Real, Pack>, Mask, bool>;
 template <class Real>
 constexpr int lane_count = std::is_same_v<Real, Pack> ? pack_size : 1;
 
@@ -91,9 +91,9 @@ inline bool all(const Mask& m) {
   for (const auto& r : m.r) answer = answer && xsimd::all(r);
   return answer;
 }
-inline bool some(const Mask& m) { return !all(!m); }
+inline bool any_lane(const Mask& m) { return !all(!m); }
 inline bool all(bool m) { return m; }
-inline bool some(bool m) { return m; }
+inline bool any_lane(bool m) { return m; }
 /// Lane by lane.
 inline std::array<bool, pack_size> lanes(const Mask& m) {
   std::array<bool, pack_size> answer;

@@ -45,11 +45,11 @@ Spectral spectral(const Sym<double>& given) {
   return answer;
 }
 
-Sym<double> composed(const Vec<3>& values, const Mat<3>& directions) {
+Sym<double> from_spectral(const Vec<3>& values, const Mat<3>& directions) {
   return to_sym(directions * values.asDiagonal() * directions.transpose());
 }
 
-Sym<double> sandwiched(const Sym<double>& a, const Sym<double>& b) {
+Sym<double> congruent(const Sym<double>& a, const Sym<double>& b) {
   const Mat<3> outer = to_matrix(a);
   return to_sym(outer * to_matrix(b) * outer);
 }

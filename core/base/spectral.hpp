@@ -15,16 +15,16 @@ struct Spectral {
 Spectral spectral(const Sym<double>& a);
 
 /// Σ values_i v_i ⊗ v_i.
-Sym<double> composed(const Vec<3>& values, const Mat<3>& directions);
+Sym<double> from_spectral(const Vec<3>& values, const Mat<3>& directions);
 
 /// The tensor with the same directions whose principal values are f(those of a): an isotropic tensor function.
 template <class F>
-Sym<double> mapped(const Spectral& a, const F& f) {
-  return composed({f(a.values[0]), f(a.values[1]), f(a.values[2])}, a.directions);
+Sym<double> isotropic_function(const Spectral& a, const F& f) {
+  return from_spectral({f(a.values[0]), f(a.values[1]), f(a.values[2])}, a.directions);
 }
 
 /// a b a
-Sym<double> sandwiched(const Sym<double>& a, const Sym<double>& b);
+Sym<double> congruent(const Sym<double>& a, const Sym<double>& b);
 
 /// Principal values alone, greatest first, for packs too; where two are nearly equal good to 1e-8 of the deviator only.
 template <class Real>

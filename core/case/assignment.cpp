@@ -42,12 +42,12 @@ void refuse_what_is_no_line(std::string_view text, const std::string& shown) {
     throw InputError(shown + ": holds a line break or another control character; allowed: one key and its value");
 }
 
-std::vector<Given> values_of(const std::string& key, std::string_view value, const std::string& shown) {
+std::vector<RawEntry> values_of(const std::string& key, std::string_view value, const std::string& shown) {
   try {
-    std::vector<Given> all = read_toml("x=" + std::string(value), "");
+    std::vector<RawEntry> all = read_toml("x=" + std::string(value), "");
     if (without_quoted(value).find('#') != std::string::npos)
       throw InputError(shown + ": a comment is no part of a value; a text with # stands in quotes");
-    for (Given& given : all) given.name.replace(0, 1, key);
+    for (RawEntry& given : all) given.name.replace(0, 1, key);
     return all;
   } catch (const TomlError& error) {
     if (is_meant_as_toml(value)) throw InputError(shown + ": the value is no TOML: " + error.why);
@@ -58,7 +58,7 @@ std::vector<Given> values_of(const std::string& key, std::string_view value, con
 
 } // namespace
 
-std::vector<Given> read_assignment(std::string_view assignment, const std::string& source) {
+std::vector<RawEntry> read_assignment(std::string_view assignment, const std::string& source) {
   const std::string shown = source + " " + readable(assignment, longest_shown);
   refuse_what_is_no_line(assignment, shown);
   const std::size_t equals = assignment.find('=');
@@ -66,8 +66,8 @@ std::vector<Given> read_assignment(std::string_view assignment, const std::strin
   const std::string_view left = assignment.substr(0, equals);
   const auto key = dotted_name(left);
   if (!key) throw InputError(shown + ": '" + readable(left, longest_shown) + "' is not the name of a key");
-  std::vector<Given> all = values_of(*key, trimmed(assignment.substr(equals + 1)), shown);
-  for (Given& given : all) given.place = source + " " + readable(given.name, longest_shown);
+  std::vector<RawEntry> all = values_of(*key, trimmed(assignment.substr(equals + 1)), shown);
+  for (RawEntry& given : all) given.place = source + " " + readable(given.name, longest_shown);
   return all;
 }
 

@@ -49,51 +49,51 @@ CaseFile CaseFile::read(const std::filesystem::path& path) { return from_text(re
 CaseFile CaseFile::from_text(std::string_view text, const std::string& called) {
   CaseFile file;
   file.given_ = read_toml(text, called);
-  for (const Given& given : file.given_) file.names_.insert(given.name);
+  for (const RawEntry& given : file.given_) file.names_.insert(given.name);
   return file;
 }
 
 void CaseFile::override_with(std::string_view assignment, const std::string& source) {
-  for (Given& given : read_assignment(assignment, source)) {
+  for (RawEntry& given : read_assignment(assignment, source)) {
     if (!names_.insert(given.name).second)
-      std::erase_if(given_, [&](const Given& old) { return old.name == given.name; });
+      std::erase_if(given_, [&](const RawEntry& old) { return old.name == given.name; });
     given_.push_back(std::move(given));
   }
 }
 
-const Given* CaseFile::find(std::string_view key) const {
-  const auto found = std::ranges::find(given_, key, &Given::name);
+const RawEntry* CaseFile::find(std::string_view key) const {
+  const auto found = std::ranges::find(given_, key, &RawEntry::name);
   return found == given_.end() ? nullptr : &*found;
 }
 
 std::optional<std::string> CaseFile::peek_text(std::string_view key) const {
-  const Given* given = find(key);
-  if (given == nullptr || given->kind != Given::Kind::single) return std::nullopt;
+  const RawEntry* given = find(key);
+  if (given == nullptr || given->kind != RawEntry::Kind::single) return std::nullopt;
   const auto* text = std::get_if<std::string>(&given->items.front());
   return text == nullptr ? std::nullopt : std::optional(*text);
 }
 
 std::optional<std::vector<std::string>> CaseFile::peek_texts(std::string_view key) const {
-  const Given* given = find(key);
+  const RawEntry* given = find(key);
   if (given == nullptr) return std::nullopt;
   std::vector<std::string> texts;
   for (const Scalar& item : given->items)
     if (const auto* text = std::get_if<std::string>(&item)) texts.push_back(*text);
-  if (given->kind != Given::Kind::list || texts.size() != given->items.size())
+  if (given->kind != RawEntry::Kind::list || texts.size() != given->items.size())
     throw InputError(given->place + ": is " + given->text + "; allowed: a list of texts, such as [\"a\", \"b\"]");
   return texts;
 }
 
 std::vector<std::string> CaseFile::names_in(std::string_view section) const {
   std::vector<std::string> names;
-  for (const Given& given : given_)
+  for (const RawEntry& given : given_)
     if (given.name.starts_with(std::string(section) + ".")) names.push_back(given.name);
   return names;
 }
 
 CaseFile CaseFile::without(std::string_view section) const {
   CaseFile rest = *this;
-  std::erase_if(rest.given_, [&](const Given& given) {
+  std::erase_if(rest.given_, [&](const RawEntry& given) {
     return given.name == section || given.name.starts_with(std::string(section) + ".");
   });
   return rest;
@@ -101,7 +101,7 @@ CaseFile CaseFile::without(std::string_view section) const {
 
 int CaseFile::count(std::string_view list) const {
   std::set<std::string_view> numbers;
-  for (const Given& given : given_) {
+  for (const RawEntry& given : given_) {
     if (!given.name.starts_with(std::string(list) + ".")) continue;
     const std::string_view rest = std::string_view(given.name).substr(list.size() + 1);
     numbers.insert(rest.substr(0, rest.find('.')));
@@ -112,7 +112,7 @@ int CaseFile::count(std::string_view list) const {
 }
 
 std::string CaseFile::place(std::string_view key) const {
-  const Given* given = find(key);
+  const RawEntry* given = find(key);
   return given == nullptr ? std::string(key) + " (default)" : given->place;
 }
 
@@ -120,7 +120,7 @@ CheckedValues CaseFile::check(const Keys& keys) const {
   CheckedValues checked{.values = Values(keys), .errors = {}};
   std::unordered_map<std::string_view, const Key*> known;
   for (const Key& key : keys) known.emplace(key.name, &key);
-  for (const Given& given : given_) {
+  for (const RawEntry& given : given_) {
     if (checked.errors.size() == most_errors) {
       checked.errors.push_back({{given.name}, "and perhaps more; no more are told"});
       break;
@@ -131,7 +131,7 @@ CheckedValues CaseFile::check(const Keys& keys) const {
         checked.values.set(given.name, convert(given, *key->second));
       else if (!is_section(given.name, keys))
         throw InputError(unknown_key_text(given.name, keys));
-      else if (given.kind != Given::Kind::empty_section)
+      else if (given.kind != RawEntry::Kind::empty_section)
         throw InputError(section_text(given.name, keys));
     } catch (const InputError& error) { checked.errors.push_back({{given.name}, error.what()}); }
   }

@@ -1,7 +1,7 @@
 /// A case: a TOML file, the settings of the command line on top of it, and what a table of keys makes of both.
 #pragma once
 
-#include "core/case/given.hpp"
+#include "core/case/raw_entry.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -61,9 +61,9 @@ public:
   [[nodiscard]] std::string lines(const std::vector<Finding>& findings) const;
 
 private:
-  [[nodiscard]] const Given* find(std::string_view key) const;
+  [[nodiscard]] const RawEntry* find(std::string_view key) const;
 
-  std::vector<Given> given_;              ///< in the order of the file, then that of the settings
+  std::vector<RawEntry> given_;           ///< in the order of the file, then that of the settings
   std::unordered_set<std::string> names_; ///< of all that was ever given
 };
 

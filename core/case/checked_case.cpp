@@ -17,11 +17,11 @@ bool concerns(const Finding& finding, const std::vector<Finding>& errors) {
 
 } // namespace
 
-CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Findings(const Values&)>& check,
+CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Diagnostics(const Values&)>& check,
                          const std::function<void(std::vector<Finding>&)>& explain) {
   CheckedValues checked = given.check(keys);
   explain(checked.errors);
-  const Findings found = check(checked.values);
+  const Diagnostics found = check(checked.values);
   std::vector<Finding> errors = checked.errors;
   for (const Finding& error : found.errors) // a wrong key has its default here, about which nothing should be said
     if (!concerns(error, checked.errors)) errors.push_back(error);

@@ -8,7 +8,7 @@
 namespace riedel {
 
 /// What one key cannot see: errors stop the run, warnings are told.
-struct Findings {
+struct Diagnostics {
   std::vector<Finding> errors, warnings;
 };
 
@@ -22,7 +22,7 @@ struct CheckedCase {
 
 /// @param check looks at all values together   @param explain adds to what is said of single keys
 /// @throws InputError with a line for everything that is wrong
-CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Findings(const Values&)>& check,
+CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Diagnostics(const Values&)>& check,
                          const std::function<void(std::vector<Finding>&)>& explain);
 
 /// For messages: rounded to four digits.

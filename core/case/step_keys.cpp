@@ -28,10 +28,10 @@ double rate(const Values& v, const char* key, double otherwise) { return v.is_te
 void check_stress_filter(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   const std::string of_stress = "time.stress_filter", of_volume = "time.volume_filter";
   const auto scheme = catalogue.in_2d.schemes.find(v.text("scheme")).make(v.section("interpolation"));
-  if (!scheme->slopes_follow_weights() && !v.is_text(of_stress) && v.number(of_stress) > 0.0)
+  if (!scheme->gradients_follow_weights() && !v.is_text(of_stress) && v.number(of_stress) > 0.0)
     errors.push_back({{of_stress, "scheme"},
                       exact_text(v.number(of_stress)) + " 1/s does not go with the scheme \"" + v.text("scheme") +
-                          "\", whose slopes are not the gradients of its weights: nodes see other stresses than the "
+                          "\", whose gradients are not those of its weights: nodes see other stresses than the "
                           "filter, which goes by the weights; allowed: 0 or \"auto\", which is 0 there"});
   if (!v.is_text(of_volume) && !v.is_text(of_stress) && v.number(of_volume) > most_of_volume * v.number(of_stress))
     errors.push_back({{of_volume, of_stress},
@@ -146,7 +146,7 @@ void set_step(Model<Dim>& model, const Values& v, const Catalogue& catalogue, do
   if (v.text("time.objective_rate") == "green_naghdi") model.objective_rate = ObjectiveRate::green_naghdi;
   if (v.text("time.locking") == "f_bar") model.locking = Locking::f_bar;
   model.transfer = make_transfer<Dim>(v, catalogue, defaults.damping * crossing_rate);
-  const double usual = model.scheme->slopes_follow_weights() ? standard_shares.stress_filter * crossing_rate : 0.0,
+  const double usual = model.scheme->gradients_follow_weights() ? standard_shares.stress_filter * crossing_rate : 0.0,
                of_stress = rate(v, "time.stress_filter", usual);
   model.stress_filter = {.stress_rate = of_stress,
                          .volume_rate = rate(v, "time.volume_filter", most_of_volume * of_stress),

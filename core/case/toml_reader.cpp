@@ -47,7 +47,7 @@ struct Position {
 };
 
 struct Positioned {
-  Given given;
+  RawEntry given;
   Position at;
 };
 
@@ -96,13 +96,13 @@ std::string text_of(const toml::node& node) {
   return readable(text, longest_text);
 }
 
-Given given_from(const toml::node& node, const std::string& name) {
-  Given given{.name = name, .place = "", .text = text_of(node), .items = {}};
+RawEntry given_from(const toml::node& node, const std::string& name) {
+  RawEntry given{.name = name, .place = "", .text = text_of(node), .items = {}};
   if (const toml::array* list = node.as_array()) {
-    given.kind = Given::Kind::list;
+    given.kind = RawEntry::Kind::list;
     for (const toml::node& item : *list) given.items.push_back(scalar_of(item));
   } else if (node.is_table()) {
-    given.kind = Given::Kind::empty_section;
+    given.kind = RawEntry::Kind::empty_section;
   } else {
     given.items.push_back(scalar_of(node));
   }
@@ -220,12 +220,12 @@ toml::table parsed(std::string_view text, const std::string& called) {
 
 } // namespace
 
-std::vector<Given> read_toml(std::string_view text, const std::string& called) {
+std::vector<RawEntry> read_toml(std::string_view text, const std::string& called) {
   refuse_what_is_no_text(text, called);
   std::vector<Positioned> all;
   flatten(parsed(text, called), "", all);
   std::ranges::stable_sort(all, {}, [](const Positioned& p) { return std::pair(p.at.line, p.at.column); });
-  std::vector<Given> given;
+  std::vector<RawEntry> given;
   for (Positioned& p : all) {
     p.given.place = place_of(called, p.at) + readable(p.given.name, longest_name);
     given.push_back(std::move(p.given));

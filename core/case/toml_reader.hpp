@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.hpp"
-#include "core/case/given.hpp"
+#include "core/case/raw_entry.hpp"
 
 namespace riedel {
 
@@ -15,11 +15,11 @@ struct TomlError : InputError {
 /// Every value of a TOML text with its dotted name and its place, in the order of the text. The tables of an array are
 /// numbered from one. A part of a name that is no bare word keeps its quotes, so that "a.b" is not a.b.
 /// @param called what messages call the text, such as its path   @throws InputError, TomlError among them
-std::vector<Given> read_toml(std::string_view text, const std::string& called);
+std::vector<RawEntry> read_toml(std::string_view text, const std::string& called);
 
 /// "KEY=VALUE", as the command line gives it: one key and, on one line, a TOML value or else a text as it stands. There
 /// is more than one answer when the value is a table.
 /// @param source what messages call the place it comes from, such as "--set"   @throws InputError
-std::vector<Given> read_assignment(std::string_view assignment, const std::string& source);
+std::vector<RawEntry> read_assignment(std::string_view assignment, const std::string& source);
 
 } // namespace riedel

@@ -45,13 +45,13 @@ void check_settings(const Values& v, const Catalogue& catalogue, std::vector<Fin
   }
 }
 
-/// Transfers that take the slope of the velocity about a point need a scheme that spreads it, which hats do not.
-void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits::Spread spread, Findings& found) {
+/// Transfers that take the gradient of the velocity about a point need a scheme that spreads it, which hats do not.
+void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits::Spread spread, Diagnostics& found) {
   using Spread = TransferTraits::Spread;
   const auto& schemes = catalogue.in_2d.schemes;
   const std::string &scheme = v.text("scheme"), &transfer = v.text("time.transfer");
   const auto spreads = [&](const std::string& name) {
-    return schemes.find(name).make(v.section("interpolation"))->spreads_points();
+    return schemes.find(name).make(v.section("interpolation"))->supports_apic();
   };
   if (spread == Spread::any || spreads(scheme)) return;
   std::string others;
@@ -66,7 +66,7 @@ void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits
     found.warnings.push_back(
         {{"time.transfer", "scheme"},
          "\"" + transfer + "\" with the scheme \"" + scheme +
-             "\" takes slopes from slivers of mass at free surfaces, and the run may fail; safe with " + others});
+             "\" takes gradients from slivers of mass at free surfaces, and the run may fail; safe with " + others});
 }
 
 void check_order(const Values& v, const TransferTraits& traits, std::vector<Finding>& errors) {
@@ -110,7 +110,7 @@ std::shared_ptr<const VelocityTransfer<Dim>> make_transfer(const Values& values,
   return transfer.make(options);
 }
 
-void check_transfer(const Values& values, const Catalogue& catalogue, Findings& found) {
+void check_transfer(const Values& values, const Catalogue& catalogue, Diagnostics& found) {
   check_settings(values, catalogue, found.errors);
   const TransferTraits traits = make_transfer<2>(values, catalogue, 0.0)->traits();
   check_order(values, traits, found.errors);

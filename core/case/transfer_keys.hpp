@@ -17,6 +17,6 @@ std::shared_ptr<const VelocityTransfer<Dim>> make_transfer(const Values& values,
                                                            double damping);
 
 /// Whether `time.transfer` goes with the scheme, with the order of the step and with the other keys.
-void check_transfer(const Values& values, const Catalogue& catalogue, Findings& found);
+void check_transfer(const Values& values, const Catalogue& catalogue, Diagnostics& found);
 
 } // namespace riedel

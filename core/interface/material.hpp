@@ -58,11 +58,11 @@ struct MaterialReport {
 };
 
 /// The state of a block as the time step and the run's report need it.
-struct Survey {
+struct MaterialLimits {
   double wave_speed = 0.0;        ///< greatest speed of a compression wave [m/s]
   std::int64_t out_of_bounds = 0; ///< points whose state the law does not admit (a void ratio below e_d, say)
 
-  void add(const Survey& other) {
+  void add(const MaterialLimits& other) {
     wave_speed = std::max(wave_speed, other.wave_speed);
     out_of_bounds += other.out_of_bounds;
   }
@@ -87,7 +87,7 @@ public:
   /// Advances stress and state by one step. What fails at a point stands in the report; an exception ends the run, on
   /// whatever thread it is thrown.
   virtual void integrate(const MaterialBatch& batch, MaterialReport& report) const = 0;
-  [[nodiscard]] virtual Survey survey(const MaterialBatch& batch) const = 0;
+  [[nodiscard]] virtual MaterialLimits assess(const MaterialBatch& batch) const = 0;
 };
 
 using Materials = Registry<std::unique_ptr<Material>(const Values&)>;

@@ -16,12 +16,12 @@ public:
 
   /// Finds neighbours and weights for where the points are now; to be called whenever they have moved.
   /// @param positions Dim columns [m]
-  virtual void follow(const Columns& positions) = 0;
-  /// averaged(p) = Σ_q ω_pq V_q field(q) / Σ_q ω_pq V_q, with the weights of the last `follow`.
+  virtual void update_neighbours(const Columns& positions) = 0;
+  /// averaged(p) = Σ_q ω_pq V_q field(q) / Σ_q ω_pq V_q, with the weights of the last `update_neighbours`.
   /// @param volumes [m³ or m²]   @param field, averaged columns of as many numbers as points were followed
   virtual void average(const double* volumes, const double* field, double* averaged) = 0;
   /// Must be called when points have changed their numbers.
-  virtual void forget_neighbours() = 0;
+  virtual void invalidate() = 0;
   /// How far it may be from the sum over all pairs, for a field that varies by one from point to point [-].
   [[nodiscard]] virtual double tolerance() const { return 3e-7; }
   /// Whether it remembers each pair of neighbours, which takes most of a run's memory.

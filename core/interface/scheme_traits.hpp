@@ -33,7 +33,7 @@ struct SchemeTraits {
   /// `ShapeFunction::move` places the points, by weights of its own: no transfer keeps angular momentum to round-off.
   bool moves_points = false;
   /// Greatest error of a body in translation [-], of velocity, F and stress over their scales: round-off, and what
-  /// gradients miss where a node under `ShapeFunction::least_weight` is left out.
+  /// gradients miss where a node under `ShapeFunction::mass_cutoff` is left out.
   double translation_error = 1e-12;
 };
 

@@ -31,37 +31,37 @@ public:
   /// Layers of nodes needed beyond those of a cell that holds a point.
   [[nodiscard]] virtual int margin() const = 0;
   /// Share of a point's mass below which a node carries no motion [-]: slivers under hats have forces that do not fade
-  /// with their mass. Where slopes fade, too, a node left out would be missed by them before it is by the masses.
-  [[nodiscard]] virtual double least_weight() const { return 1e-12; }
+  /// with their mass. Where gradients fade, too, a node left out would be missed by them before it is by the masses.
+  [[nodiscard]] virtual double mass_cutoff() const { return 1e-12; }
   /// Fills the stencils of the points in `block`, whole groups of eight: `block.begin` is a multiple of eight. Lanes
   /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                         Stencils<Dim>& stencils) const = 0;
   /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
   /// (x_i − x_p) has an inverse, by which affine transfers divide. Hats at a point have none on a line of nodes.
-  [[nodiscard]] virtual bool spreads_points() const { return true; }
-  /// Whether its slopes are the gradients of its weights. If not, the forces on the nodes see other stresses than the
+  [[nodiscard]] virtual bool supports_apic() const { return true; }
+  /// Whether its gradients are those of its weights. If not, the forces on the nodes see other stresses than the
   /// weights do, and the stress filter, which goes by the weights, is refused.
-  [[nodiscard]] virtual bool slopes_follow_weights() const { return true; }
+  [[nodiscard]] virtual bool gradients_follow_weights() const { return true; }
 
   /// Whether hats are interpolated between the corners of a point's domain, so that a load on one of its faces belongs
   /// to the corners; or else hats are integrated over it as they are.
-  [[nodiscard]] virtual bool loads_corners() const { return false; }
+  [[nodiscard]] virtual bool traction_at_corners() const { return false; }
 
-  /// Numbers that the scheme keeps for each point from step to step, in `points.of_scheme`: the library makes room for
-  /// them and carries them with the points.
-  [[nodiscard]] virtual int columns() const { return 0; }
+  /// Numbers that the scheme keeps for each point from step to step, in `points.scheme_data`: the library makes room
+  /// for them and carries them with the points.
+  [[nodiscard]] virtual int point_data_size() const { return 0; }
   /// Sets these numbers, from positions, domains and deformation.
-  virtual void start(const Grid<Dim>&, Points<Dim>&) const {}
+  virtual void initialise(const Grid<Dim>&, Points<Dim>&) const {}
   /// At the end of a step, if there are such numbers: moves them, and positions if it must, with the velocities of the
   /// nodes that deformed the points in `block`. Points may be in motion on other threads.
   virtual void move(const Grid<Dim>&, const Nodes<Dim>&, double /*dt*/, Points<Dim>&, Range /*block*/) const {}
 
   /// Numbers that the scheme works out for each node at the start of a step.
-  [[nodiscard]] virtual int node_columns() const { return 0; }
+  [[nodiscard]] virtual int node_data_size() const { return 0; }
   /// Works them out for one body, before its stencils: the same bits for any number of threads, nothing allocated.
   /// Stencils carry them to `evaluate`.
-  virtual void prepare(const Grid<Dim>&, const Points<Dim>&, Columns& /*of_nodes*/) const {}
+  virtual void prepare(const Grid<Dim>&, const Points<Dim>&, Columns& /*node_data*/) const {}
 
   /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw. For a
   /// scheme that knows no domain a box of the point's volume, in the proportions it started with, stands for it.
@@ -90,10 +90,11 @@ Corners<Dim> ShapeFunction<Dim>::corners(const Grid<Dim>& grid, const Points<Dim
 
 /// Makes room for what a scheme keeps for each point, and sets it.
 template <int Dim>
-void start(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points) {
-  if (points.of_scheme.components() != scheme.columns()) points.of_scheme = Columns(scheme.columns());
-  if (points.of_scheme.size() != points.size()) points.of_scheme.resize(points.size());
-  scheme.start(grid, points);
+void initialise(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points) {
+  if (points.scheme_data.components() != scheme.point_data_size())
+    points.scheme_data = Columns(scheme.point_data_size());
+  if (points.scheme_data.size() != points.size()) points.scheme_data.resize(points.size());
+  scheme.initialise(grid, points);
 }
 
 /// @param options the section `interpolation` of a case

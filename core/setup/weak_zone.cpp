@@ -84,9 +84,9 @@ void WeakZoneLaw::integrate(const MaterialBatch& batch, MaterialReport& report) 
   });
 }
 
-Survey WeakZoneLaw::survey(const MaterialBatch& batch) const {
-  Survey all;
-  for_each_run(batch, [&](const Material& law, const MaterialBatch& part, Index) { all.add(law.survey(part)); });
+MaterialLimits WeakZoneLaw::assess(const MaterialBatch& batch) const {
+  MaterialLimits all;
+  for_each_run(batch, [&](const Material& law, const MaterialBatch& part, Index) { all.add(law.assess(part)); });
   return all;
 }
 

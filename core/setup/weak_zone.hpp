@@ -20,7 +20,7 @@ public:
   [[nodiscard]] bool follows_motion() const override { return sound_->follows_motion(); }
   [[nodiscard]] double density(std::span<const double> state) const override;
   void integrate(const MaterialBatch& batch, MaterialReport& report) const override;
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override;
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override;
 
 private:
   [[nodiscard]] const Material& at(double flag) const { return flag > 0.5 ? *weak_ : *sound_; }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/base/columns.hpp"
-#include "core/base/few.hpp"
+#include "core/base/short_vector.hpp"
 
 namespace riedel {
 
 /// Room for a vector in a node's records: a number of doubles that processors load at once.
 template <int Dim>
-using VectorLanes = Few<Dim == 2 ? 2 : 4>;
+using VectorLanes = ShortVector<Dim == 2 ? 2 : 4>;
 
 /// What the points add up at a node: one cache line.
 template <int Dim>
@@ -17,7 +17,7 @@ struct alignas(64) NodeSums {
   double mass = 0.0;                             ///< m_i [kg, or kg/m in plane strain]
   alignas(32) Vec<Dim> force = Vec<Dim>::Zero(); ///< f_i of stresses and surface loads [N or N/m]
 
-  using MassRecord = Few<4>; ///< momentum, then mass
+  using MassRecord = ShortVector<4>; ///< momentum, then mass
   using ForceRecord = VectorLanes<Dim>;
   static constexpr int mass_at = Dim; ///< place in the first record
 };
@@ -30,20 +30,20 @@ struct alignas(Dim == 2 ? 32 : 64) NodeMotion {
   /// (v_i − v_i before the step)/Δt, boundary conditions included [m/s²]
   alignas(sizeof(VectorLanes<Dim>)) Vec<Dim> acceleration = Vec<Dim>::Zero();
 
-  using Record = Few<Dim == 2 ? 4 : 8>;
+  using Record = ShortVector<Dim == 2 ? 4 : 8>;
 };
 static_assert(sizeof(NodeMotion<2>) == 32 && sizeof(NodeMotion<3>) == 64);
 
 /// What the points' fields leave on the nodes while they are smoothed, eight numbers at a node; empty without a filter.
 struct SmoothingNodes {
-  AlignedVector<Few<8>> sum;        ///< Σ_p N_ip V_p a_p
-  AlignedVector<Few<8>> term;       ///< the last term of a series
-  AlignedVector<Few<8>> total;      ///< the series so far
-  AlignedVector<double> per_volume; ///< 1/Σ_p N_ip V_p, 0 where no point is near [1/m³ or 1/m²]
+  AlignedVector<ShortVector<8>> sum;   ///< Σ_p N_ip V_p a_p
+  AlignedVector<ShortVector<8>> term;  ///< the last term of a series
+  AlignedVector<ShortVector<8>> total; ///< the series so far
+  AlignedVector<double> per_volume;    ///< 1/Σ_p N_ip V_p, 0 where no point is near [1/m³ or 1/m²]
 
   void resize(Index count) {
-    for (AlignedVector<Few<8>>* rows : {&sum, &term, &total})
-      rows->assign(static_cast<std::size_t>(count), Few<8>(0.0));
+    for (AlignedVector<ShortVector<8>>* rows : {&sum, &term, &total})
+      rows->assign(static_cast<std::size_t>(count), ShortVector<8>(0.0));
     per_volume.assign(static_cast<std::size_t>(count), 0.0);
   }
 };

@@ -27,7 +27,7 @@ struct Points {
   Columns shear_strain{1};                 ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
   Columns work{1};                         ///< ∫ V_p σ:D dt, done on the point by its stress [J or J/m]
   Columns expansion{0};                    ///< what the stress filter adds to tr L_p, none without it [1/s]
-  Columns of_scheme{0};                    ///< what the interpolation scheme keeps for each point
+  Columns scheme_data{0};                  ///< what the interpolation scheme keeps for each point
   std::vector<Index> id;                   ///< number of the point at the start, kept when points are sorted
   std::vector<Index> place;                ///< where the point of a given id stands now: id[place[i]] = i
 
@@ -54,7 +54,7 @@ struct Points {
             &shear_strain,
             &work,
             &expansion,
-            &of_scheme};
+            &scheme_data};
   }
 
   [[nodiscard]] Vec<Dim> position_of(Index p) const { return vector(position, p); }

@@ -24,7 +24,7 @@ template <int Dim>
 struct StencilEntries {
   Index* base = nullptr;              ///< nodes, [patches][8]
   double* value = nullptr;            ///< N_ip [-], [count][8]
-  double* slope = nullptr;            ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+  double* gradient = nullptr;         ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
   int count = 0;                      ///< entries in use
   PatchShape shape{1, 1};             ///< of all patches, one of `patch_shapes`
   std::array<Index, most_rows> row{}; ///< offsets of the rows from the base
@@ -33,15 +33,17 @@ struct StencilEntries {
     std::copy(nodes.begin(), nodes.end(), base + patch * pack_size);
   }
   void set_value(int entry, const Pack& N) const { N.store(value + entry * pack_size); }
-  void set_slope(int entry, int axis, const Pack& dN) const { dN.store(slope + (entry * Dim + axis) * pack_size); }
+  void set_gradient(int entry, int axis, const Pack& dN) const {
+    dN.store(gradient + (entry * Dim + axis) * pack_size);
+  }
 
   [[nodiscard]] Index node_of(int entry, Index lane) const {
     const int patch = entry / shape.entries(), r = entry / shape.length % shape.rows;
     return base[patch * pack_size + lane] + row[r] + entry % shape.length;
   }
   [[nodiscard]] double value_of(int entry, Index lane) const { return value[entry * pack_size + lane]; }
-  [[nodiscard]] double slope_of(int entry, int axis, Index lane) const {
-    return slope[(entry * Dim + axis) * pack_size + lane];
+  [[nodiscard]] double gradient_of(int entry, int axis, Index lane) const {
+    return gradient[(entry * Dim + axis) * pack_size + lane];
   }
 };
 
@@ -62,7 +64,7 @@ struct StencilGroup : StencilEntries<Dim> {
       lost[k] = !kept[k];
       if (kept[k]) continue;
       for (int i = k; i < this->count * pack_size; i += pack_size) this->value[i] = 0;
-      for (int i = k; i < this->count * Dim * pack_size; i += pack_size) this->slope[i] = 0;
+      for (int i = k; i < this->count * Dim * pack_size; i += pack_size) this->gradient[i] = 0;
     }
   }
 };
@@ -76,17 +78,17 @@ public:
     const std::size_t entries = groups * static_cast<std::size_t>(max_nodes * pack_size);
     base_.assign(entries, 0);
     value_.assign(entries, 0.0);
-    slope_.assign(entries * Dim, 0.0);
+    gradient_.assign(entries * Dim, 0.0);
     groups_.assign(groups, {});
     for (std::size_t g = 0; g < groups; ++g) {
       const std::size_t at = g * static_cast<std::size_t>(max_nodes * pack_size);
       groups_[g].base = base_.data() + at;
       groups_[g].value = value_.data() + at;
-      groups_[g].slope = slope_.data() + at * Dim;
+      groups_[g].gradient = gradient_.data() + at * Dim;
     }
   }
   [[nodiscard]] Index size() const { return static_cast<Index>(groups_.size()) * pack_size; } ///< points, rounded up
-  const Columns* of_nodes = nullptr; ///< what the scheme's pre-pass left on the nodes; null without one
+  const Columns* node_data = nullptr; ///< what the scheme's pre-pass left on the nodes; null without one
 
   /// From now on the first group is that of `first`, a multiple of eight.
   void begin_at(Index first) { first_ = first / pack_size; }
@@ -102,7 +104,7 @@ private:
   Index first_ = 0; ///< groups before the one that is kept first
   std::vector<StencilGroup<Dim>> groups_;
   AlignedVector<Index> base_;
-  AlignedVector<double> value_, slope_;
+  AlignedVector<double> value_, gradient_;
 };
 
 } // namespace riedel

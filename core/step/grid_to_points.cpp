@@ -8,7 +8,7 @@ namespace riedel {
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+  for_each_gathered<Use::gradients>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     deform(sum, body.points, p, model, dt);
   });
 }
@@ -16,7 +16,7 @@ void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
-  for_each_gathered<Use::slopes>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
+  for_each_gathered<Use::gradients>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     deform(sum, body.points, p, model, dt);
     std::array<Pack, Dim> way;
     for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
@@ -26,7 +26,7 @@ void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
 
 template <int Dim>
 void move_scheme_columns(State<Dim>& state, const Model<Dim>& model, double dt) {
-  if (model.scheme->columns() == 0) return;
+  if (model.scheme->point_data_size() == 0) return;
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for (Body<Dim>& body : state.bodies)
     for_each_block(body.points.size(),

@@ -86,7 +86,7 @@ void for_each_force(const State<Dim>& state, const Model<Dim>& model, const Use&
       const auto part = [&](const Vec<Dim>& x, double share) {
         use(points, p, x, Vec<Dim>(share * size * load.value(x, normal, state.time)));
       };
-      if (model.scheme->loads_corners())
+      if (model.scheme->traction_at_corners())
         for_each_corner(face, part);
       else
         integrate_over(state.grid, face, part);

@@ -33,7 +33,7 @@ template <int Dim>
 void throw_if_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
   const std::optional<Index> p = first_lost(state, model, body);
   if (!p) return;
-  const char* const otherwise = model.scheme->columns() > 0 ? ", or its domain has turned inside out" : "";
+  const char* const otherwise = model.scheme->point_data_size() > 0 ? ", or its domain has turned inside out" : "";
   throw RunError("point " + std::to_string(body.points.id[static_cast<std::size_t>(*p)]) + " of '" + body.name +
                  "' left the grid at " + coordinates(body.points.position_of(*p)) + ", step " +
                  std::to_string(state.step) + ", time " + exact_text(state.time) + " s" + otherwise);
@@ -43,7 +43,7 @@ template <int Dim>
 void sort_points(State<Dim>& state, Body<Dim>& body, Index rows) {
   const PhaseClock::Lap lap(state.clock, Phase::sorting);
   sort_by_cell(state.grid, rows, body.points, body.slabs, body.sort_space);
-  if (body.averager) body.averager->forget_neighbours();
+  if (body.averager) body.averager->invalidate();
 }
 
 } // namespace
@@ -54,7 +54,7 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   state.transfer_room.nodes.assign(static_cast<std::size_t>(model.transfer->node_records()),
                                    AlignedVector<NodeMotion<Dim>>(state.nodes.motion.size()));
   for (Body<Dim>& body : state.bodies) {
-    start(*model.scheme, state.grid, body.points);
+    initialise(*model.scheme, state.grid, body.points);
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
     body.way.resize(body.points.size());
     if (model.stress_filter.on()) {
@@ -63,7 +63,7 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
         body.points.expansion = Columns(1);
         body.points.expansion.resize(body.points.size());
       }
-      body.fields.assign(static_cast<std::size_t>(blocks_of(body.points.size()) * block_size), Few<8>(0.0));
+      body.fields.assign(static_cast<std::size_t>(blocks_of(body.points.size()) * block_size), ShortVector<8>(0.0));
     }
     Columns& transfer_data = body.points.transfer_data;
     if (transfer_data.components() != model.transfer->point_data_size()) {

@@ -4,9 +4,9 @@
 #include "core/step/grid_to_points.hpp"
 #include "core/step/loads.hpp"
 #include "core/step/locking.hpp"
+#include "core/step/points_to_grid.hpp"
 #include "core/step/stress_filter.hpp"
 #include "core/step/stress_update.hpp"
-#include "core/step/transfer.hpp"
 
 namespace riedel {
 

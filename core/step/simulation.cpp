@@ -13,7 +13,7 @@
 namespace riedel {
 
 namespace {
-constexpr std::int64_t steps_between_surveys = 10; // the wave speed changes by less than 1 % in that time
+constexpr std::int64_t steps_between_assessments = 10; // the wave speed changes by less than 1 % in that time
 
 /// max ‖v_p‖².
 double greatest_square(const Columns& v) {
@@ -63,7 +63,7 @@ void check_transfer(const Model<Dim>& model) {
   if (model.transfer == nullptr)
     throw InputError("the model has no transfer of velocities; leave the default, or take one of the catalogue");
   const TransferTraits traits = model.transfer->traits();
-  if (traits.spread == TransferTraits::Spread::needed && !model.scheme->spreads_points())
+  if (traits.spread == TransferTraits::Spread::needed && !model.scheme->supports_apic())
     throw InputError("the scheme does not go with the transfer: it puts a point on a line of nodes on that line alone");
   for (const StepOrder<Dim>& order : orders_of_step<Dim>)
     if (model.step == order.step && !traits.goes_with(order.name)) {
@@ -97,10 +97,10 @@ void check_points(const State<Dim>& state) {
 }
 
 /// Volumes that fade nearly as fast as stresses feed energy in.
-void check_filter(const StressFilter& filter, bool slopes_follow_weights) {
+void check_filter(const StressFilter& filter, bool gradients_follow_weights) {
   if (!filter.on()) return;
-  if (!slopes_follow_weights)
-    throw InputError("the stress filter does not go with a scheme whose slopes are not the gradients of its weights");
+  if (!gradients_follow_weights)
+    throw InputError("the stress filter does not go with a scheme whose gradients are not those of its weights");
   if (filter.order < 1 || filter.steps_between < 1)
     throw InputError("the stress filter has the order " + std::to_string(filter.order) + " and works in every " +
                      std::to_string(filter.steps_between) + " steps; allowed: 1 and more for both");
@@ -121,15 +121,15 @@ Simulation<Dim>::Simulation(Model<Dim> model, State<Dim> state) : model_(std::mo
   check_moving_grids(model_);
   locate_points(state_, model_);
   check_inside(state_, model_);
-  survey_bodies();
-  check_filter(model_.stress_filter, model_.scheme->slopes_follow_weights());
+  assess_bodies();
+  check_filter(model_.stress_filter, model_.scheme->gradients_follow_weights());
   potential_at_start_ = potential_of_loads();
   kinetic_at_start_ = kinetic_energy();
 }
 
 template <int Dim>
 void Simulation<Dim>::step() {
-  if (state_.step % steps_between_surveys == 0) survey_bodies();
+  if (state_.step % steps_between_assessments == 0) assess_bodies();
   const double dt = time_step_;
   locate_points(state_, model_);
   follow_boundaries(state_, model_);
@@ -144,11 +144,11 @@ void Simulation<Dim>::step() {
 }
 
 template <int Dim>
-void Simulation<Dim>::survey_bodies() {
+void Simulation<Dim>::assess_bodies() {
   double wave = 0.0, fastest_squared = 0.0;
   std::int64_t outside = 0;
   for (Body<Dim>& body : state_.bodies) {
-    const Survey found = watched(state_, body, [&] { return survey(body, surveys_, state_.time, state_.step); });
+    const MaterialLimits found = watched(state_, body, [&] { return assess(body, limits_, state_.time, state_.step); });
     wave = std::max(wave, found.wave_speed);
     outside += found.out_of_bounds;
     fastest_squared = std::max(fastest_squared, greatest_square(body.points.velocity));

@@ -41,7 +41,7 @@ public:
   [[nodiscard]] const BoundaryReport<Dim>& held(std::string_view name) const { return boundary(name).report(); }
 
 private:
-  void survey_bodies();
+  void assess_bodies();
   void follow_platens(double dt);
   [[nodiscard]] double potential_of_loads() const;
   [[nodiscard]] double kinetic_energy() const;
@@ -50,7 +50,7 @@ private:
   State<Dim> state_;
   double time_step_ = 0.0, crossing_time_ = 0.0, potential_at_start_ = 0.0, kinetic_at_start_ = 0.0;
   std::int64_t out_of_bounds_ = 0;
-  std::vector<Survey> surveys_; ///< working space
+  std::vector<MaterialLimits> limits_; ///< working space
 };
 
 } // namespace riedel

@@ -12,37 +12,37 @@ namespace riedel {
 namespace {
 
 constexpr int weight_at = 7; ///< lane of a row that holds 1, of whose sums the nodes' volumes are made
-using EightRows = std::array<Few<8>, pack_size>;
+using EightRows = std::array<ShortVector<8>, pack_size>;
 
 /// sum_i += N_ip row_p for the lanes of a patch. Lanes in a row that touch the same nodes are summed before anything is
 /// written.
 template <std::size_t Shape, int Dim>
 [[gnu::always_inline]] inline void scatter_rows(PatchLane<Shape, Dim> lane, Range lanes, const EightRows& rows,
-                                                Few<8>* nodes) {
+                                                ShortVector<8>* nodes) {
   constexpr int entries = PatchLane<Shape, Dim>::entries;
   for (Index k = lanes.begin; k < lanes.end;) {
     const PatchLane<Shape, Dim> first = lane;
-    std::array<Few<8>, entries> sum;
-    first.for_each_node(nodes, [&](int e, const Few<8>& node) { sum[e] = node; });
+    std::array<ShortVector<8>, entries> sum;
+    first.for_each_node(nodes, [&](int e, const ShortVector<8>& node) { sum[e] = node; });
     do {
       for (int e = 0; e < entries; ++e) sum[e] += lane.value_of(e) * rows[k];
       lane.to_next_lane();
     } while (++k < lanes.end && *lane.base == *first.base);
-    first.for_each_node(nodes, [&](int e, Few<8>& node) { node = sum[e]; });
+    first.for_each_node(nodes, [&](int e, ShortVector<8>& node) { node = sum[e]; });
   }
 }
 
 /// Σ_i N_ip node_i of eight points.
 template <int Dim>
-void gather_rows(const StencilEntries<Dim>& stencil, const AlignedVector<Few<8>>& nodes, EightRows& rows) {
+void gather_rows(const StencilEntries<Dim>& stencil, const AlignedVector<ShortVector<8>>& nodes, EightRows& rows) {
   const StencilEntries<Dim> entries = stencil;
   with_shape(entries.shape, [&](auto shape) {
     PatchLane<shape, Dim> lane(entries, 0);
     for (Index k = 0; k < pack_size; ++k, lane.to_next_lane()) {
-      Few<8> sum(0.0);
+      ShortVector<8> sum(0.0);
       PatchLane<shape, Dim> patch = lane;
       for (int n = 0; n < entries.count; n += patch.entries, patch.to_next_patch())
-        patch.for_each_node(nodes.data(), [&](int e, const Few<8>& node) { sum += patch.value_of(e) * node; });
+        patch.for_each_node(nodes.data(), [&](int e, const ShortVector<8>& node) { sum += patch.value_of(e) * node; });
       rows[k] = sum;
     }
   });
@@ -51,8 +51,8 @@ void gather_rows(const StencilEntries<Dim>& stencil, const AlignedVector<Few<8>>
 /// sum_i = Σ_p N_ip V_p a_p; `fill(group, rows)` gives the a_p of eight points.
 template <int Dim, class Fill>
 void sum_up(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
-  AlignedVector<Few<8>>& sum = state.nodes.smoothing.sum;
-  parallel_for(state.nodes.size(), [&](Index i) { sum[i] = Few<8>(0.0); });
+  AlignedVector<ShortVector<8>>& sum = state.nodes.smoothing.sum;
+  parallel_for(state.nodes.size(), [&](Index i) { sum[i] = ShortVector<8>(0.0); });
   add_in_slab_order<EightRows>(state, model, body, [&](const SlabGroup<Dim>& group, EightRows& rows) {
     fill(group, rows);
     const double* const V = body.points.volume[0] + group.first;
@@ -79,7 +79,7 @@ Eigen::Matrix<double, Dim + 1, 1> coordinates(const Grid<Dim>& grid, const Point
 template <int Dim>
 FieldMoments<Dim> no_moments() {
   FieldMoments<Dim> none;
-  none.fields.fill(Few<8>(0.0));
+  none.fields.fill(ShortVector<8>(0.0));
   none.weights.setZero();
   return none;
 }
@@ -150,15 +150,15 @@ void subtract_linear(State<Dim>& state, Body<Dim>& body) {
         return a;
       });
   const auto per_weight = inverse(sum.weights);
-  std::array<Few<8>, Dim + 1> slopes;
+  std::array<ShortVector<8>, Dim + 1> gradients;
   for (int a = 0; a <= Dim; ++a) {
-    slopes[a] = Few<8>(0.0);
-    for (int b = 0; b <= Dim; ++b) slopes[a] += per_weight(a, b) * sum.fields[b];
+    gradients[a] = ShortVector<8>(0.0);
+    for (int b = 0; b <= Dim; ++b) gradients[a] += per_weight(a, b) * sum.fields[b];
   }
   for_each_block(body.points.size(), [&](Range block) {
     for (Index p = block.begin; p < block.end; ++p) {
       const auto x = coordinates(state.grid, body.points, p);
-      for (int a = 0; a <= Dim; ++a) body.fields[p] -= x[a] * slopes[a];
+      for (int a = 0; a <= Dim; ++a) body.fields[p] -= x[a] * gradients[a];
     }
   });
 }

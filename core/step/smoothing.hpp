@@ -6,7 +6,7 @@
 namespace riedel {
 
 /// Fields that are smoothed at once, a row for each point: seven of them, and a number that is working space.
-using FieldRows = AlignedVector<Few<8>>;
+using FieldRows = AlignedVector<ShortVector<8>>;
 
 /// a_p ← ((I − S)^m a)_p for a body's `fields`, with S = N M⁻¹ Nᵀ V from points to nodes and back by the scheme's own
 /// weights: (S a)_p = Σ_i N_ip/M_i Σ_q N_iq V_q a_q, M_i = Σ_q N_iq V_q. S is self-adjoint in Σ_p V_p a_p b_p, keeps

@@ -26,13 +26,13 @@ struct Body {
   Slabs slabs;
   Columns way{Dim}; ///< Δt Σ N_ip v_i, kept for the points' move at the end of a MUSL step [m]
 
-  SortSpace sort_space;          ///< working space
-  std::vector<char> slab_strays; ///< working space: whether points of a slab touch rows that are not theirs
-  AlignedVector<Few<8>> fields;  ///< working space of the stress filter: a row for each point
+  SortSpace sort_space;                 ///< working space
+  std::vector<char> slab_strays;        ///< working space: whether points of a slab touch rows that are not theirs
+  AlignedVector<ShortVector<8>> fields; ///< working space of the stress filter: a row for each point
 };
 
 /// A block's share of what the stress update tells.
-struct StressShare {
+struct BlockResult {
   MaterialReport report;
   double work = 0.0; ///< Σ V σ:D Δt [J or J/m]
 };
@@ -40,7 +40,7 @@ struct StressShare {
 /// What rows of fields add up to over some points, by themselves and times each coordinate: Σ V_p (1, x, y …) a_p.
 template <int Dim>
 struct FieldMoments {
-  std::array<Few<8>, Dim + 1> fields;
+  std::array<ShortVector<8>, Dim + 1> fields;
   Eigen::Matrix<double, Dim + 1, Dim + 1> weights; ///< Σ V_p (1, x, y …) ⊗ (1, x, y …)
 };
 
@@ -67,7 +67,7 @@ struct State {
   NodePower node_power;       ///< in this step
   MaterialReport report;      ///< summed since the start
 
-  std::vector<StressShare> shares;              ///< working space
+  std::vector<BlockResult> block_results;       ///< working space
   std::vector<NodePower> node_powers;           ///< working space, by block of nodes
   std::vector<CellSum> cell_sums;               ///< working space of the locking cure, by cell
   std::vector<FieldMoments<Dim>> field_moments; ///< working space of the stress filter, by block

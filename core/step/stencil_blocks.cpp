@@ -29,12 +29,12 @@ void StencilBlocks<Dim>::begin_step(const ShapeFunction<Dim>& scheme, const Grid
     while (buffers_.size() < static_cast<std::size_t>(most_threads()))
       buffers_.emplace_back().resize(stencil_block, max_nodes_);
   const PhaseClock::Lap lap(clock, Phase::stencils);
-  if (scheme.node_columns() > 0) {
-    if (of_nodes_.components() != scheme.node_columns()) of_nodes_ = Columns(scheme.node_columns());
-    if (of_nodes_.size() != grid.node_count()) of_nodes_.resize(grid.node_count());
-    scheme.prepare(grid, points, of_nodes_);
-    kept_.of_nodes = &of_nodes_;
-    for (Stencils<Dim>& buffer : buffers_) buffer.of_nodes = &of_nodes_;
+  if (scheme.node_data_size() > 0) {
+    if (node_data_.components() != scheme.node_data_size()) node_data_ = Columns(scheme.node_data_size());
+    if (node_data_.size() != grid.node_count()) node_data_.resize(grid.node_count());
+    scheme.prepare(grid, points, node_data_);
+    kept_.node_data = &node_data_;
+    for (Stencils<Dim>& buffer : buffers_) buffer.node_data = &node_data_;
   }
   if (keeps_) for_each_block(points.size(), [&](Range block) { scheme.evaluate(grid, points, block, kept_); });
 }

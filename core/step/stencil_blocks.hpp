@@ -36,7 +36,7 @@ private:
   bool always_keeps_ = false;
   bool keeps_ = false; ///< in this step
   int max_nodes_ = 0;
-  Columns of_nodes_{0}; ///< of the scheme's pre-pass
+  Columns node_data_{0}; ///< of the scheme's pre-pass
   Stencils<Dim> kept_;
   std::vector<Stencils<Dim>> buffers_; ///< one for each thread
 };

@@ -14,7 +14,7 @@ void fill_fields(Body<Dim>& body) {
   const Points<Dim>& points = body.points;
   for_each_block(points.size(), [&](Range block) {
     for (Index p = block.begin; p < block.end; ++p) {
-      Few<8> row(0.0);
+      ShortVector<8> row(0.0);
       for (int c = 0; c < components; ++c) row.lanes[c] = points.stress[c][p];
       row.lanes[volume_at] = std::log(points.volume[0][p] / points.initial_volume[0][p]);
       body.fields[p] = row;
@@ -37,7 +37,7 @@ void use_fields(Body<Dim>& body, const StressFilter& filter, double dt) {
   const double of_stress = -std::expm1(-filter.stress_rate * span), of_volume = -std::expm1(-filter.volume_rate * span);
   for_each_block(points.size(), [&](Range block) {
     for (Index p = block.begin; p < block.end; ++p) {
-      const Few<8>& rest = body.fields[p];
+      const ShortVector<8>& rest = body.fields[p];
       points.expansion[0][p] = -of_volume / span * rest.lanes[volume_at];
       if (carries_stress(points, p))
         for (int c = 0; c < components; ++c) points.stress[c][p] -= of_stress * rest.lanes[c];

@@ -170,8 +170,8 @@ void rotate_state(Body<Dim>& body, Range range, double dt) {
 
 /// Rotation and law over a range of points.
 template <ObjectiveRate objective, int Dim>
-StressShare update_range(State<Dim>& state, Body<Dim>& body, Range whole, const double* averaged, double dt) {
-  StressShare share;
+BlockResult update_range(State<Dim>& state, Body<Dim>& body, Range whole, const double* averaged, double dt) {
+  BlockResult share;
   LawBlock<Dim> block(body.points, *body.material, state.time, state.step, dt);
   rotate_state<objective>(body, whole, dt);
   for (Index b = whole.begin; b < whole.end; b += law_block) {
@@ -196,7 +196,7 @@ const double* average(State<Dim>& state, Body<Dim>& body) {
   const double* field = body.averaged_state < 0 ? points.rate_norm[0] : points.state[body.averaged_state];
   {
     const PhaseClock::Lap lap(state.clock, Phase::neighbours);
-    body.averager->follow(points.position);
+    body.averager->update_neighbours(points.position);
   }
   const PhaseClock::Lap lap(state.clock, Phase::averaging);
   body.averager->average(points.volume[0], field, points.averaged[0]);
@@ -212,14 +212,14 @@ void update_stress(State<Dim>& state, const Model<Dim>& model, double dt) {
   for (Body<Dim>& body : state.bodies) {
     const double* averaged = average(state, body);
     const PhaseClock::Lap lap(state.clock, Phase::law);
-    const auto add = [](StressShare sum, const StressShare& share) {
+    const auto add = [](BlockResult sum, const BlockResult& share) {
       sum.report.add(share.report, 0);
       sum.work += share.work;
       return sum;
     };
-    const StressShare all = watched(state, body, [&] {
+    const BlockResult all = watched(state, body, [&] {
       return reduce_blocks(
-          body.points.size(), state.shares, StressShare{},
+          body.points.size(), state.block_results, BlockResult{},
           [&](Range range) { return update(state, body, range, averaged, dt); }, add);
     });
     if (all.report.failures > 0) report_failure(state, body, all.report);
@@ -229,20 +229,20 @@ void update_stress(State<Dim>& state, const Model<Dim>& model, double dt) {
 }
 
 template <int Dim>
-Survey survey(Body<Dim>& body, std::vector<Survey>& parts, double time, std::int64_t step) {
+MaterialLimits assess(Body<Dim>& body, std::vector<MaterialLimits>& parts, double time, std::int64_t step) {
   return reduce_blocks(
-      body.points.size(), parts, Survey{},
+      body.points.size(), parts, MaterialLimits{},
       [&](Range range) {
-        Survey found;
+        MaterialLimits found;
         LawBlock<Dim> block(body.points, *body.material, time, step, 0.0);
         for (Index b = range.begin; b < range.end; b += law_block) {
           block.move_to({b, std::min(b + law_block, range.end)});
           block.template follow_motion<ObjectiveRate::jaumann>(); // nothing turns
-          found.add(body.material->survey(block.batch()));
+          found.add(body.material->assess(block.batch()));
         }
         return found;
       },
-      [](Survey all, const Survey& part) {
+      [](MaterialLimits all, const MaterialLimits& part) {
         all.add(part);
         return all;
       });
@@ -250,7 +250,7 @@ Survey survey(Body<Dim>& body, std::vector<Survey>& parts, double time, std::int
 
 template void update_stress<2>(State<2>&, const Model<2>&, double);
 template void update_stress<3>(State<3>&, const Model<3>&, double);
-template Survey survey<2>(Body<2>&, std::vector<Survey>&, double, std::int64_t);
-template Survey survey<3>(Body<3>&, std::vector<Survey>&, double, std::int64_t);
+template MaterialLimits assess<2>(Body<2>&, std::vector<MaterialLimits>&, double, std::int64_t);
+template MaterialLimits assess<3>(Body<3>&, std::vector<MaterialLimits>&, double, std::int64_t);
 
 } // namespace riedel

@@ -16,6 +16,6 @@ void update_stress(State<Dim>& state, const Model<Dim>& model, double dt);
 /// Greatest wave speed, and points outside the law's bounds, of one body. @param parts working space
 /// @param time at the start of the next step [s]   @param step number of steps before it
 template <int Dim>
-Survey survey(Body<Dim>& body, std::vector<Survey>& parts, double time = 0.0, std::int64_t step = 0);
+MaterialLimits assess(Body<Dim>& body, std::vector<MaterialLimits>& parts, double time = 0.0, std::int64_t step = 0);
 
 } // namespace riedel

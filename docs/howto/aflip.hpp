@@ -2,7 +2,7 @@
 
 #include "core/step/kernels/point_motion.hpp"
 #include "transfers/kit/affine.ipp"
-#include "transfers/kit/apic_slope.hpp"
+#include "transfers/kit/apic_gradient.hpp"
 
 namespace riedel {
 
@@ -21,16 +21,16 @@ struct ShareOfFlip {
   }
 };
 
-/// APIC's slope and FLIP's changes of velocity.
+/// APIC's gradient and FLIP's changes of velocity.
 template <int Dim>
-class Aflip final : public AffineTransfer<Dim, ApicSlope<Dim>, ShareOfFlip<Dim>> {
+class Aflip final : public AffineTransfer<Dim, ApicGradient<Dim>, ShareOfFlip<Dim>> {
 public:
   static constexpr std::string_view name = "aflip";
   static Keys parameters() {
     return {{"aflip", 0.97, "-", between(0, 1), "share of FLIP in a step, the rest is APIC"}};
   }
   explicit Aflip(const Values& options)
-      : AffineTransfer<Dim, ApicSlope<Dim>, ShareOfFlip<Dim>>({options.number("aflip")}) {}
+      : AffineTransfer<Dim, ApicGradient<Dim>, ShareOfFlip<Dim>>({options.number("aflip")}) {}
 
   [[nodiscard]] TransferTraits traits() const override { return {.spread = TransferTraits::Spread::needed}; }
 };

@@ -26,11 +26,11 @@ public:
   }
 
 private:
-  /// N(r) = [B(r + l) − B(r − l)]/(2 l) and its slope, with the hat's integral B(s) = s − s |s|/(2 h) for |s| ≤ h.
-  static ValueSlope<Pack> averaged(const Pack& r, const Axis& axis) {
+  /// N(r) = [B(r + l) − B(r − l)]/(2 l) and its gradient, with the hat's integral B(s) = s − s |s|/(2 h) for |s| ≤ h.
+  static ValueGradient<Pack> averaged(const Pack& r, const Axis& axis) {
     const Pack from = max(min(r - axis.l, axis.h), -axis.h), to = max(min(r + axis.l, axis.h), -axis.h);
     const Pack area = (to - from) - Pack(0.5) * axis.per_h * (to * abs(to) - from * abs(from));
-    return {.value = area * axis.per_2l, .slope = (abs(from) - abs(to)) * axis.per_h * axis.per_2l};
+    return {.value = area * axis.per_2l, .gradient = (abs(from) - abs(to)) * axis.per_h * axis.per_2l};
   }
 };
 

@@ -20,7 +20,7 @@ double principal_angle(const Sym<double>& stress) {
   return angle_between(-solver.eigenvalues()[0], -solver.eigenvalues()[2]);
 }
 
-ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction, double pore_pressure) {
+ElementRow element_row(const MaterialPoint& point, double void_ratio, Friction friction, double pore_pressure) {
   ElementRow row;
   for (int a = 0; a < 3; ++a) {
     row.eps[static_cast<std::size_t>(a)] = 1.0 - point.F(a, a);

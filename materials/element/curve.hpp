@@ -1,7 +1,7 @@
 /// What an element test gives, whichever driver carried it out: a row per output, and how it ended.
 #pragma once
 
-#include "materials/element/law_point.hpp"
+#include "materials/element/material_point.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -60,7 +60,7 @@ double principal_angle(const Sym<double>& stress);
 /// leaves out the stress out of the plane of a biaxial test; or atan(τ/σ_2), that of the sheared planes.
 enum class Friction { principal, in_plane, on_planes };
 
-ElementRow element_row(const LawPoint& point, double void_ratio, Friction friction, double pore_pressure = 0.0);
+ElementRow element_row(const MaterialPoint& point, double void_ratio, Friction friction, double pore_pressure = 0.0);
 
 /// Header of element.csv: with phi_principal_deg in the shear test and, with pore water, its pressure at the end.
 std::vector<std::string> element_columns(const std::string& test, bool water);

@@ -11,35 +11,35 @@ namespace riedel {
 namespace {
 
 template <int Axis>
-double strain(const LawPoint& q) {
+double strain(const MaterialPoint& q) {
   return 1.0 - q.F(Axis, Axis);
 }
 template <int Row, int Column>
-double shear(const LawPoint& q) {
+double shear(const MaterialPoint& q) {
   return q.F(Row, Column);
 }
 template <int Component>
-double stress(const LawPoint& q) {
+double stress(const MaterialPoint& q) {
   return Component < 3 ? -q.stress.m[Component] : q.stress.m[Component] / std::numbers::sqrt2;
 }
 /// ∫ D dt, compression positive; of a shear 2 ∫ D_ij dt.
 template <int Component>
-double natural(const LawPoint& q) {
+double natural(const MaterialPoint& q) {
   return Component < 3 ? -q.strain.m[Component] : q.strain.m[Component] * std::numbers::sqrt2;
 }
-double natural_volume(const LawPoint& q) { return -trace(q.strain); }
-double natural_deviator(const LawPoint& q) {
+double natural_volume(const MaterialPoint& q) { return -trace(q.strain); }
+double natural_deviator(const MaterialPoint& q) {
   return 2.0 / 3.0 * (natural<0>(q) - 0.5 * (natural<1>(q) + natural<2>(q)));
 }
-double natural_difference(const LawPoint& q) { return 0.5 * (natural<1>(q) - natural<2>(q)); }
-double volume_strain(const LawPoint& q) { return 1.0 - q.F.determinant(); }
-double nothing(const LawPoint&) { return 0.0; }
-double sum(const LawPoint& q) { return stress<1>(q) + stress<2>(q); }
-double natural_sum(const LawPoint& q) { return natural<1>(q) + natural<2>(q); }
-double pressure(const LawPoint& q) { return -trace(q.stress) / 3.0; }
-double deviator_1(const LawPoint& q) { return stress<0>(q) - 0.5 * (stress<1>(q) + stress<2>(q)); }
-double difference(const LawPoint& q) { return stress<1>(q) - stress<2>(q); }
-double mobilised_angle(const LawPoint& q) { return principal_angle(q.stress); }
+double natural_difference(const MaterialPoint& q) { return 0.5 * (natural<1>(q) - natural<2>(q)); }
+double volume_strain(const MaterialPoint& q) { return 1.0 - q.F.determinant(); }
+double nothing(const MaterialPoint&) { return 0.0; }
+double sum(const MaterialPoint& q) { return stress<1>(q) + stress<2>(q); }
+double natural_sum(const MaterialPoint& q) { return natural<1>(q) + natural<2>(q); }
+double pressure(const MaterialPoint& q) { return -trace(q.stress) / 3.0; }
+double deviator_1(const MaterialPoint& q) { return stress<0>(q) - 0.5 * (stress<1>(q) + stress<2>(q)); }
+double difference(const MaterialPoint& q) { return stress<1>(q) - stress<2>(q); }
+double mobilised_angle(const MaterialPoint& q) { return principal_angle(q.stress); }
 
 } // namespace
 
@@ -91,7 +91,7 @@ const Measure& find_measure(std::string_view name) {
 }
 
 Condition condition(const Measure& measure, const PoreWater& water, double target) {
-  const auto value = [&measure, water](const LawPoint& q) { return measure.at(q, water); };
+  const auto value = [&measure, water](const MaterialPoint& q) { return measure.at(q, water); };
   return {.name = measure.name, .measure = value, .target = target, .of_stress = measure.unit == "Pa"};
 }
 

@@ -11,18 +11,20 @@ struct PoreWater {
   double bulk_modulus = 0.0, initial_pressure = 0.0; ///< K_w, at the start [Pa]
 
   [[nodiscard]] bool present() const { return bulk_modulus != 0.0 || initial_pressure != 0.0; }
-  [[nodiscard]] double pressure(const LawPoint& q) const { return initial_pressure - bulk_modulus * trace(q.strain); }
+  [[nodiscard]] double pressure(const MaterialPoint& q) const {
+    return initial_pressure - bulk_modulus * trace(q.strain);
+  }
 };
 
 struct Measure {
   std::string name;
   std::string unit; ///< "Pa" of a stress, "-" of a strain, "deg" of an angle
   std::string doc;
-  double (*of)(const LawPoint&);
+  double (*of)(const MaterialPoint&);
   double pore_share = 0.0;       ///< how often the pressure of the water stands in it, beside the law's stress
   bool can_be_prescribed = true; ///< or only watched
 
-  [[nodiscard]] double at(const LawPoint& q, const PoreWater& water) const {
+  [[nodiscard]] double at(const MaterialPoint& q, const PoreWater& water) const {
     return pore_share == 0.0 ? of(q) : of(q) + pore_share * water.pressure(q);
   }
 };

@@ -22,14 +22,15 @@ double Condition::course(double from, double share) const {
 
 /// What one step has to meet at its end.
 struct PointDriver::Task {
-  const Leg& leg;
-  const LawPoint& start;
+  const LoadStep& leg;
+  const MaterialPoint& start;
   std::array<double, 6> target;
   double share, length; ///< of the leg at the end of the step, and that it takes
   Allowed allowed;
 
   /// @param from values of the measures at the start of the leg
-  Task(const Leg& of, const LawPoint& at, const std::array<double, 6>& from, double to, double by, const Allowed& error)
+  Task(const LoadStep& of, const MaterialPoint& at, const std::array<double, 6>& from, double to, double by,
+       const Allowed& error)
       : leg(of), start(at), target(), share(to), length(by), allowed(error) {
     for (std::size_t c = 0; c < 6; ++c) target[c] = of.conditions[c].course(from[c], share);
   }
@@ -48,9 +49,9 @@ struct PointDriver::Task {
 namespace {
 
 /// L Δt from its six free numbers, order 11, 22, 33, 12, 13, 23.
-Mat<3> increment_of(const Eigen::Matrix<double, 6, 1>& x, Leg::Motion motion) {
+Mat<3> increment_of(const Eigen::Matrix<double, 6, 1>& x, LoadStep::Motion motion) {
   Mat<3> L;
-  if (motion == Leg::Motion::simple_shear)
+  if (motion == LoadStep::Motion::simple_shear)
     L << x[0], x[3], x[4], 0.0, x[1], x[5], 0.0, 0.0, x[2];
   else
     L << x[0], x[3] / 2, x[4] / 2, x[3] / 2, x[1], x[5] / 2, x[4] / 2, x[5] / 2, x[2];
@@ -59,13 +60,13 @@ Mat<3> increment_of(const Eigen::Matrix<double, 6, 1>& x, Leg::Motion motion) {
 
 } // namespace
 
-PointDriver::PointDriver(const Material& law, LawPoint start, const PointControl& control)
+PointDriver::PointDriver(const Material& law, MaterialPoint start, const PointControl& control)
     : law_(law), control_(control), point_(std::move(start)) {}
 
 /// Residuals that Newton's method has to come below: a thousandth of the tolerance and less, but no less than
 /// round-off. A law that keeps its strain computes stress from it, to the round-off of strain times its stiffness.
 PointDriver::Allowed PointDriver::allowed() const {
-  const double speed = survey(law_, point_).wave_speed;
+  const double speed = assess(law_, point_).wave_speed;
   const double stiffness = law_.density(point_.state) * speed * speed + control_.added_stiffness;
   const double noise = round_off * (32.0 * norm(point_.stress) + 16.0 * (std::isfinite(stiffness) ? stiffness : 0.0));
   const double stress = std::min(1e-9, 1e-5 * control_.tolerance) * std::max(norm(point_.stress), 1.0);
@@ -172,7 +173,7 @@ std::optional<PointDriver::Step> PointDriver::given_motion(const Task& task) {
 /// Where Newton's method fails from the guess, it starts anew in other directions: a law that answers loading and
 /// unloading with different slopes may hide the one behind the other.
 std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vector& guess) {
-  if (task.leg.motion == Leg::Motion::given) return given_motion(task);
+  if (task.leg.motion == LoadStep::Motion::given) return given_motion(task);
   if (auto step = solve_from(task, guess)) return step;
   std::vector<Vector> directions{last_direction_, -last_direction_, Vector::Zero()};
   directions.back().head<3>().setConstant(-1.0);
@@ -184,7 +185,7 @@ std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vect
 }
 
 /// The step from `share` on: whole, and in two halves.
-std::optional<PointDriver::Halves> PointDriver::step_and_halves(const Leg& leg, const std::array<double, 6>& from,
+std::optional<PointDriver::Halves> PointDriver::step_and_halves(const LoadStep& leg, const std::array<double, 6>& from,
                                                                 double share, double length) {
   const double half = 0.5 * length;
   const Allowed error = allowed();
@@ -218,10 +219,10 @@ PointDriver::Halves PointDriver::compared(const Step& whole, const Step& first, 
                              whole.increment.lpNorm<Eigen::Infinity>() / control_.largest_strain)};
 }
 
-bool PointDriver::follow(const Leg& leg, const std::function<bool(const LawPoint&)>& go_on) {
+bool PointDriver::follow(const LoadStep& leg, const std::function<bool(const MaterialPoint&)>& go_on) {
   const double smallest_share = std::clamp(1e-4 * control_.tolerance, 8.0 * round_off, 1e-10);
   std::array<double, 6> from{};
-  if (leg.motion != Leg::Motion::given)
+  if (leg.motion != LoadStep::Motion::given)
     for (std::size_t c = 0; c < 6; ++c) from[c] = leg.conditions[c].measure(point_);
   if (!rate_.isZero()) last_direction_ = rate_.normalized();
   rate_.setZero();

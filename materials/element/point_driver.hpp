@@ -2,7 +2,7 @@
 /// of stress, or a combination of them, is to become.
 #pragma once
 
-#include "materials/element/law_point.hpp"
+#include "materials/element/material_point.hpp"
 
 #include <functional>
 #include <optional>
@@ -13,7 +13,7 @@ namespace riedel {
 /// upon the straight line.
 struct Condition {
   std::string name; ///< for messages
-  std::function<double(const LawPoint&)> measure;
+  std::function<double(const MaterialPoint&)> measure;
   double target;
   bool of_stress;                  ///< in Pa; otherwise a pure number of the order of the strain
   double swing = 0.0, phase = 0.0; ///< amplitude of the sine, as the target; its angle at the start [rad]
@@ -23,7 +23,7 @@ struct Condition {
 };
 
 /// Six conditions that hold at once, or a motion that is given whole.
-struct Leg {
+struct LoadStep {
   std::array<Condition, 6> conditions;
   double duration = 1.0; ///< [s]; without meaning for laws that know no rate
   /// The six free numbers of the velocity gradient: its upper triangle, so that 12 is a simple shear of the planes
@@ -51,18 +51,18 @@ struct PointControl {
 /// would do for a law of second order; return mappings are of first order where the directions of stress turn.
 class PointDriver {
 public:
-  PointDriver(const Material& law, LawPoint start, const PointControl& control = {});
+  PointDriver(const Material& law, MaterialPoint start, const PointControl& control = {});
 
   /// Follows one leg to its end, or until `go_on`, asked after each step, says no.
   /// @return whether the end was reached
   /// @throws RunError when no deformation meets the conditions, or the law fails: says which and how far the point has
   /// come
-  bool follow(const Leg& leg, const std::function<bool(const LawPoint&)>& go_on);
+  bool follow(const LoadStep& leg, const std::function<bool(const MaterialPoint&)>& go_on);
 
   /// What follows is another stage of the path, whose time and steps count from its start.
   void begin_stage() { riedel::begin_stage(point_); }
 
-  [[nodiscard]] const LawPoint& point() const { return point_; }
+  [[nodiscard]] const MaterialPoint& point() const { return point_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] const MaterialReport& report() const { return report_; } ///< of the steps that were kept
 
@@ -70,7 +70,7 @@ private:
   using Vector = Eigen::Matrix<double, 6, 1>;
   using Matrix = Eigen::Matrix<double, 6, 6>;
   struct Step { ///< a candidate
-    LawPoint end;
+    MaterialPoint end;
     Vector increment; ///< the six free numbers of L Δt
     MaterialReport report;
     Vector residual;
@@ -96,7 +96,8 @@ private:
   std::optional<Step> given_motion(const Task& task);
   [[nodiscard]] std::optional<Vector> scaled(const Task& task, const Vector& direction) const;
   std::optional<Step> solve(const Task& task, const Vector& guess);
-  std::optional<Halves> step_and_halves(const Leg& leg, const std::array<double, 6>& from, double share, double length);
+  std::optional<Halves> step_and_halves(const LoadStep& leg, const std::array<double, 6>& from, double share,
+                                        double length);
   [[nodiscard]] Halves compared(const Step& whole, const Step& first, const Step& second, double length,
                                 const Allowed& allowed) const;
   void keep(const Halves& step, double length);
@@ -104,7 +105,7 @@ private:
 
   const Material& law_;
   PointControl control_;
-  LawPoint point_;
+  MaterialPoint point_;
   Vector rate_ = Vector::Zero();           ///< of the increment, per share of the leg
   Vector last_direction_ = Vector::Zero(); ///< in which the point moved at the end of the leg before
   Matrix inverse_ = Matrix::Zero(); ///< of the slopes of the residual times `scales_`, or what comes nearest to it

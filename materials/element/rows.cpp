@@ -21,7 +21,7 @@ void ElementRows::begin(std::int64_t stage, std::int64_t cycle) {
   cycle_ = cycle;
 }
 
-void ElementRows::look(const LawPoint& point) {
+void ElementRows::look(const MaterialPoint& point) {
   if (rows_.size() >= most_element_rows)
     throw RunError("there are " + std::to_string(rows_.size()) +
                    " rows, the most that are kept: take a larger output.every_strain, or fewer rounds");
@@ -38,7 +38,7 @@ void ElementRows::write() {
   written_ = true;
 }
 
-ElementRow ElementRows::row_of(const LawPoint& point) const {
+ElementRow ElementRows::row_of(const MaterialPoint& point) const {
   const double e = column_ >= 0 ? point.state[static_cast<std::size_t>(column_)]
                                 : (1.0 + void_ratio_) * point.F.determinant() - 1.0; // a law that carries none
   ElementRow row = element_row(point, e, friction_, water_.present() ? water_.pressure(point) : 0.0);

@@ -9,9 +9,9 @@ namespace riedel {
 
 /// What a driver tells, and asks, on its way.
 struct ElementWatch {
-  std::function<void(const ElementRow&, const LawPoint&)> at_row; ///< for each row, the start included
-  std::function<bool()> stop;                                     ///< asked after each step
-  ThreadRange threads = {};                                       ///< of a specimen of many points
+  std::function<void(const ElementRow&, const MaterialPoint&)> at_row; ///< for each row, the start included
+  std::function<bool()> stop;                                          ///< asked after each step
+  ThreadRange threads = {};                                            ///< of a specimen of many points
 };
 
 class ElementRows {
@@ -23,12 +23,12 @@ public:
   /// What follows belongs to this stage, in this round, both from 1.
   void begin(std::int64_t stage, std::int64_t cycle);
   /// A row, if the point lies far enough from the last one. @throws RunError when there are too many
-  void look(const LawPoint& point);
+  void look(const MaterialPoint& point);
   /// The last point looked at becomes a row, wherever it lies.
   void write();
 
 private:
-  [[nodiscard]] ElementRow row_of(const LawPoint& point) const;
+  [[nodiscard]] ElementRow row_of(const MaterialPoint& point) const;
   [[nodiscard]] bool near(const ElementRow& a, const ElementRow& b) const;
 
   int column_; ///< of the void ratio in the state; −1: none
@@ -39,7 +39,7 @@ private:
   const ElementWatch& watch_;
   std::vector<ElementRow>& rows_;
   ElementRow last_;
-  LawPoint point_;
+  MaterialPoint point_;
   bool written_ = false;
 };
 

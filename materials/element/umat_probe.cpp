@@ -25,9 +25,9 @@ Sym<double> mandel(const std::vector<double>& v, double shear) {
 }
 
 /// One step of a second. @throws RunError with the name of the probe
-LawPoint moved(const Umat& law, const LawPoint& from, const Mat<3>& increment, const char* probe) {
+MaterialPoint moved(const Umat& law, const MaterialPoint& from, const Mat<3>& increment, const char* probe) {
   MaterialReport report;
-  LawPoint to;
+  MaterialPoint to;
   try {
     to = deformed(law, from, increment, 1.0, report);
   } catch (const RunError& error) { throw RunError(std::string("umat-check, ") + probe + ": " + error.what()); }
@@ -97,10 +97,10 @@ UmatProbe::UmatProbe(const Values& material, const std::vector<double>& stress, 
   if (norm(strain_) == 0.0) throw InputError("check.strain is zero; allowed: an increment of strain");
 }
 
-LawPoint UmatProbe::start() const { return {.stress = stress_, .state = law_.initial_state()}; }
+MaterialPoint UmatProbe::start() const { return {.stress = stress_, .state = law_.initial_state()}; }
 
-LawPoint UmatProbe::strained(const Umat& law, LawPoint point, const Sym<double>& strain, int steps,
-                             const char* probe) const {
+MaterialPoint UmatProbe::strained(const Umat& law, MaterialPoint point, const Sym<double>& strain, int steps,
+                                  const char* probe) const {
   const Mat<3> part = to_matrix(strain / static_cast<double>(steps));
   for (int i = 0; i < steps; ++i) point = moved(law, point, part, probe);
   return point;
@@ -119,7 +119,7 @@ void UmatProbe::one_step() const {
 double UmatProbe::wave_speed() const {
   const char* const probe = "umat-check, DDSDDE of a call without strain: ";
   try {
-    const double speed = survey(law_, start()).wave_speed;
+    const double speed = assess(law_, start()).wave_speed;
     if (speed > 0.0) return speed;
   } catch (const RunError& error) { throw RunError(probe + std::string(error.what())); }
   throw RunError(std::string(probe) + "the UMAT returned no stiffness, from which the time step of a run would follow");
@@ -129,10 +129,11 @@ double UmatProbe::idle_change() const {
   return norm(strained(law_, start(), Sym<double>::zero(), 1, "a step without strain").stress - stress_) / change();
 }
 
-void UmatProbe::compare(const LawPoint& there, const LawPoint& expected, std::vector<Disagreement>& worst) const {
+void UmatProbe::compare(const MaterialPoint& there, const MaterialPoint& expected,
+                        std::vector<Disagreement>& worst) const {
   const double change = norm(expected.stress - stress_);
   worst.front().error = worse(worst.front().error, norm(there.stress - expected.stress) / change);
-  const LawPoint from = start();
+  const MaterialPoint from = start();
   std::size_t column = 0, variable = 1;
   for (const StateVariable& state : law_.states()) {
     if (variable == worst.size()) break; // the total strain is not the UMAT's
@@ -148,15 +149,15 @@ std::vector<Disagreement> UmatProbe::rotation_errors() const {
   std::vector<Disagreement> worst{{.of = "the stress"}};
   for (std::size_t v = 0; v + 1 < law_.states().size(); ++v)
     worst.push_back({.of = "STATEV " + law_.states()[v].name, .declared = v < law_.declared_states()});
-  LawPoint still = start();
+  MaterialPoint still = start();
   for (int i = 0; i < turns; ++i) still = moved(law_, still, Mat<3>::Zero(), probe);
-  const LawPoint reference = strained(law_, still, strain_, 1, probe);
+  const MaterialPoint reference = strained(law_, still, strain_, 1, probe);
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (int i = 0; i < 6; ++i) {
     const Eigen::AngleAxisd turn(Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized());
     const Mat<3> Q = turn.toRotationMatrix(), spin = spin_about(turn.angle() / turns * turn.axis());
-    LawPoint there = start();
+    MaterialPoint there = start();
     for (int k = 0; k < turns; ++k) there = moved(law_, there, spin, probe);
     there = moved(law_, there, Q * to_matrix(strain_) * Q.transpose(), probe);
     rotate_tensors(law_, there, Q.transpose());

@@ -1,7 +1,7 @@
 /// Single calls of a UMAT, and what they tell of it.
 #pragma once
 
-#include "materials/element/law_point.hpp"
+#include "materials/element/material_point.hpp"
 #include "materials/umat.hpp"
 
 #include <optional>
@@ -35,11 +35,11 @@ public:
   [[nodiscard]] double nanoseconds() const;                    ///< of a call
 
 private:
-  [[nodiscard]] LawPoint start() const;
-  [[nodiscard]] LawPoint strained(const Umat& law, LawPoint from, const Sym<double>& strain, int steps,
-                                  const char* probe) const;
+  [[nodiscard]] MaterialPoint start() const;
+  [[nodiscard]] MaterialPoint strained(const Umat& law, MaterialPoint from, const Sym<double>& strain, int steps,
+                                       const char* probe) const;
   [[nodiscard]] double change() const; ///< norm of the change of stress [Pa]
-  void compare(const LawPoint& there, const LawPoint& expected, std::vector<Disagreement>& worst) const;
+  void compare(const MaterialPoint& there, const MaterialPoint& expected, std::vector<Disagreement>& worst) const;
 
   Values material_;
   Umat law_;

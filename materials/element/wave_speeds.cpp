@@ -1,6 +1,6 @@
 #include "materials/element/wave_speeds.hpp"
 
-#include "materials/element/law_point.hpp"
+#include "materials/element/material_point.hpp"
 
 namespace riedel {
 
@@ -10,12 +10,12 @@ constexpr double usual_wave_speed = 300.0; ///< of dense sand under load [m/s]
 
 WaveSpeeds wave_speeds(const Material& law, double pressure, double void_ratio) {
   constexpr double loaded = 10.0;
-  LawPoint point{.state = law.initial_state()};
+  MaterialPoint point{.state = law.initial_state()};
   for (std::size_t c = 0; c < 3; ++c) point.stress.m[c] = -pressure;
   if (const int e = state_column(law.states(), "void_ratio"); e >= 0)
     point.state[static_cast<std::size_t>(e)] = void_ratio;
   const auto speed = [&](double otherwise) {
-    const double found = survey(law, point).wave_speed;
+    const double found = assess(law, point).wave_speed;
     return std::isfinite(found) && found > 0.0 ? found : otherwise;
   };
   const double at_start = speed(usual_wave_speed);

@@ -14,7 +14,7 @@ struct PointState {
 };
 
 template <class Real, std::size_t States>
-PointState<Real, States> select(const Truth<Real>& m, PointState<Real, States> yes,
+PointState<Real, States> select(const MaskOf<Real>& m, PointState<Real, States> yes,
                                 const PointState<Real, States>& no) {
   for (std::size_t c = 0; c < 6; ++c) yes.stress.m[c] = select(m, yes.stress.m[c], no.stress.m[c]);
   for (std::size_t s = 0; s < States; ++s) yes.state[s] = select(m, yes.state[s], no.state[s]);

@@ -112,13 +112,13 @@ std::string_view ElastoplasticLaw<Law>::flow(Point<double>& point, const Spectra
     increment = fixed_point([&](double x) { return plastic(stress(x)); }, increment,
                             1e-15 * J / solid().mu * trial.values.norm());
   if (!std::isfinite(increment)) return "the softening over the step has no solution";
-  point.stress = composed(stress(own_matters ? increment : 0.0), trial.directions);
+  point.stress = from_spectral(stress(own_matters ? increment : 0.0), trial.directions);
   point.state[plastic_strain] += increment;
   return {};
 }
 
 template <class Law>
-Survey ElastoplasticLaw<Law>::survey(const MaterialBatch& batch) const {
+MaterialLimits ElastoplasticLaw<Law>::assess(const MaterialBatch& batch) const {
   constexpr double softened = 1e300;
   const double added = std::max(control_.added_by(law().directions(law().strength(0.0))),
                                 control_.added_by(law().directions(law().strength(softened))));

@@ -34,10 +34,10 @@ Sym<double> ElastoplasticControl::trial(const Sym<double>& sigma, double volume_
                                         const Sym<double>& strain) const {
   if (!hencky) return sigma + solid.stress(strain);
   const Sym<double> elastic = solid.strain(std::exp(volume_strain) * sigma); // ε_e = C⁻¹ τ, τ = J σ
-  const Sym<double> b = mapped(spectral(elastic), [](double e) { return std::exp(2.0 * e); });
-  const Sym<double> stretch = mapped(spectral(strain), [](double e) { return std::exp(e); });
-  const Sym<double> moved = sandwiched(stretch, b); // exp(D Δt) b_e exp(D Δt)
-  const Sym<double> after = mapped(spectral(moved), [](double b_i) { return 0.5 * std::log(b_i); });
+  const Sym<double> b = isotropic_function(spectral(elastic), [](double e) { return std::exp(2.0 * e); });
+  const Sym<double> stretch = isotropic_function(spectral(strain), [](double e) { return std::exp(e); });
+  const Sym<double> moved = congruent(stretch, b); // exp(D Δt) b_e exp(D Δt)
+  const Sym<double> after = isotropic_function(spectral(moved), [](double b_i) { return 0.5 * std::log(b_i); });
   return solid.stress(after) / std::exp(volume_strain + trace(strain));
 }
 

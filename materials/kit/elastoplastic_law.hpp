@@ -62,7 +62,7 @@ public:
     return solid().density * std::exp(-state[volume_strain]);
   }
   void integrate(const MaterialBatch& batch, MaterialReport& report) const final;
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const final;
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const final;
 
 protected:
   [[nodiscard]] const ElasticSolid& solid() const { return control_.solid; }

@@ -50,10 +50,10 @@ Real basic_stiffness(const HypoplasticParts<Real>& q) {
 /// separation. Points without contact count with the stress at which they will regain it, so that the time step is
 /// right when they do. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
 template <std::size_t States, class Law, class Stiffness>
-[[gnu::flatten]] Survey survey_sand(const Law& law, const MaterialBatch& batch, const Stiffness& stiffness) {
+[[gnu::flatten]] MaterialLimits assess_sand(const Law& law, const MaterialBatch& batch, const Stiffness& stiffness) {
   const Sand& sand = law.sand();
   const Sym<double> at_contact = law.seen(law.contact_stress());
-  Survey answer;
+  MaterialLimits answer;
   Pack fastest(0.0); // c² ρ_s
   for (Index p = 0; p < batch.size; p += pack_size) {
     const BatchGroup<Pack, States> group(batch, p);

@@ -77,8 +77,8 @@ private:
   template <class Real>
   struct Trial { ///< a step without sub-steps
     Point<Real> end;
-    Truth<Real> good;  ///< false of NaN
-    Truth<Real> twice; ///< took two evaluations
+    MaskOf<Real> good;  ///< false of NaN
+    MaskOf<Real> twice; ///< took two evaluations
   };
   struct Lone { ///< a point integrated alone
     Point<double> point;
@@ -90,7 +90,7 @@ private:
     return law().rate(seen(at.stress), at.state, over.D, over.d);
   }
   template <class Real>
-  Truth<Real> changes_little(const Point<Real>& start, const Point<Real>& end) const;
+  MaskOf<Real> changes_little(const Point<Real>& start, const Point<Real>& end) const;
   template <class Real>
   Real error(const Point<Real>& start, const PairStep<Real, States>& step) const;
   template <class Real>
@@ -107,7 +107,7 @@ private:
   }
   void integrate_alone(const MaterialBatch& batch, Index p, MaterialReport& report) const;
   std::string_view advance_alone(Lone& lone, const Step<double>& over, MaterialReport& report) const;
-  double drift_apart(Lone& lone, Step<double> over, double left, MaterialReport& report) const;
+  double move_stress_free(Lone& lone, Step<double> over, double left, MaterialReport& report) const;
   void leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain, MaterialReport& report) const;
 
   [[nodiscard]] const Law& law() const { return static_cast<const Law&>(*this); }

@@ -5,7 +5,7 @@ namespace riedel {
 /// Whether one evaluation of the rate is enough for a step. NaN changes much.
 template <class Law, std::size_t States>
 template <class Real>
-auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<Real>& end) const -> Truth<Real> {
+auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<Real>& end) const -> MaskOf<Real> {
   const Sym<Real> change = end.stress - start.stress;
   if constexpr (HasConstantRate<Law>) {
     Real size = dot(change, change);
@@ -13,7 +13,7 @@ auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<
     return size <= Real(std::numeric_limits<double>::max());
   }
   const double share = 4.0 * control_.tolerance;
-  Truth<Real> little = dot(change, change) <= Real(share * share) * dot(seen(start.stress), seen(start.stress));
+  MaskOf<Real> little = dot(change, change) <= Real(share * share) * dot(seen(start.stress), seen(start.stress));
   if constexpr (MeasuresState<Law, States>) return little && law().state_change(start.state, end.state) <= Real(share);
   for (std::size_t s = 0; s < States; ++s)
     little = little && abs(end.state[s] - start.state[s]) <= Real(share) * abs(start.state[s]);
@@ -50,7 +50,7 @@ template <class Real>
   trial.twice = !trial.good;
   const Real least(least_trace());
   if constexpr (Law::frictional) trial.twice = trial.twice && -trace(start.stress) >= least && separation <= Real(0.0);
-  if (some(trial.twice)) {
+  if (any_lane(trial.twice)) {
     const auto step = heun(start, first, over.time, [&](const Point<Real>& at) { return rate(at, over); });
     trial.end = select(trial.good, trial.end, step.end);
     trial.good = trial.good || (trial.twice && error(start, step) <= Real(control_.tolerance));
@@ -68,7 +68,7 @@ void RateLaw<Law, States>::integrate(const MaterialBatch& batch, MaterialReport&
     const BatchGroup<Real, States> group(batch, p);
     const Point<Real> start = group.points();
     const Trial<Real> trial = attempt(start, separation(group), step_of(group));
-    if (all(trial.good) && !some(trial.twice)) {
+    if (all(trial.good) && !any_lane(trial.twice)) {
       group.put(trial.end);
       continue;
     }

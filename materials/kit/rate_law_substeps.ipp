@@ -30,7 +30,7 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
   bool cut = false;
   while (left > 1e-12 * over.time) {
     if constexpr (Law::frictional) {
-      if (lone.separation > 0.0) left = drift_apart(lone, over, left, report), first.reset();
+      if (lone.separation > 0.0) left = move_stress_free(lone, over, left, report), first.reset();
       if (left <= 0.0) break;
       if (-trace(lone.point.stress) < least_trace()) lone.point.stress = contact_stress(), first.reset();
     }
@@ -61,7 +61,8 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
 
 /// A separated point carries no stress; its state follows the deformation. @return the time left after contact, or 0
 template <class Law, std::size_t States>
-double RateLaw<Law, States>::drift_apart(Lone& lone, Step<double> over, double left, MaterialReport& report) const {
+double RateLaw<Law, States>::move_stress_free(Lone& lone, Step<double> over, double left,
+                                              MaterialReport& report) const {
   const double volume_rate = trace(over.D);
   const bool closes = lone.separation + volume_rate * left <= 0.0;
   over.time = closes ? -lone.separation / volume_rate : left;

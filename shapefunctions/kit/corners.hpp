@@ -15,8 +15,8 @@ constexpr int corner_sign(int corner, int axis) { return (corner >> axis) & 1 ? 
 template <int Dim>
 struct Corner {
   PackVector<Dim> place;
-  Pack weight;           ///< of a value at the corner in the mean over the domain
-  PackVector<Dim> slope; ///< the same for the mean gradient
+  Pack weight;              ///< of a value at the corner in the mean over the domain
+  PackVector<Dim> gradient; ///< the same for the mean gradient
 };
 
 /// Factor that makes a vector no longer than `longest`.
@@ -58,7 +58,7 @@ void add_corner(const Grid<Dim>& grid, int number, const Corner<Dim>& corner, co
     Pack N(1.0);
     for (int a = 0; a < Dim; ++a) N *= (n >> a) & 1 ? xi[a] : Pack(1.0) - xi[a];
     entries.set_value(entry, N * corner.weight);
-    for (int a = 0; a < Dim; ++a) entries.set_slope(entry, a, N * corner.slope[a]);
+    for (int a = 0; a < Dim; ++a) entries.set_gradient(entry, a, N * corner.gradient[a]);
   }
 }
 

@@ -7,9 +7,9 @@ namespace riedel {
 
 /// A function's value and its derivative with respect to the distance from the node.
 template <class Real>
-struct ValueSlope {
-  Real value; ///< [-]
-  Real slope; ///< [1/m]
+struct ValueGradient {
+  Real value;    ///< [-]
+  Real gradient; ///< [1/m]
 };
 
 /// Patches of `Nodes` × `Nodes` nodes in the plane, or as many lines in space as a patch can have rows.
@@ -50,28 +50,28 @@ void set_nodes(const Counts<Dim>& strides, const std::array<Index, pack_size>& b
 
 /// Weights of the product's nodes.
 template <int Nodes>
-void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 2>& factor, StencilEntries<2> entries) {
+void fill_products(const std::array<std::array<ValueGradient<Pack>, Nodes>, 2>& factor, StencilEntries<2> entries) {
   const auto& [x, y] = factor;
   for (int j = 0; j < Nodes; ++j)
     for (int i = 0; i < Nodes; ++i) {
       const int entry = entry_of<Nodes, 2>(j, i);
       entries.set_value(entry, x[i].value * y[j].value);
-      entries.set_slope(entry, 0, x[i].slope * y[j].value);
-      entries.set_slope(entry, 1, x[i].value * y[j].slope);
+      entries.set_gradient(entry, 0, x[i].gradient * y[j].value);
+      entries.set_gradient(entry, 1, x[i].value * y[j].gradient);
     }
 }
 template <int Nodes>
-void fill_products(const std::array<std::array<ValueSlope<Pack>, Nodes>, 3>& factor, StencilEntries<3> entries) {
+void fill_products(const std::array<std::array<ValueGradient<Pack>, Nodes>, 3>& factor, StencilEntries<3> entries) {
   const auto& [x, y, z] = factor;
   for (int k = 0; k < Nodes; ++k)
     for (int j = 0; j < Nodes; ++j) {
-      const Pack yz = y[j].value * z[k].value, dyz = y[j].slope * z[k].value, ydz = y[j].value * z[k].slope;
+      const Pack yz = y[j].value * z[k].value, dyz = y[j].gradient * z[k].value, ydz = y[j].value * z[k].gradient;
       for (int i = 0; i < Nodes; ++i) {
         const int entry = entry_of<Nodes, 3>(j + Nodes * k, i);
         entries.set_value(entry, x[i].value * yz);
-        entries.set_slope(entry, 0, x[i].slope * yz);
-        entries.set_slope(entry, 1, x[i].value * dyz);
-        entries.set_slope(entry, 2, x[i].value * ydz);
+        entries.set_gradient(entry, 0, x[i].gradient * yz);
+        entries.set_gradient(entry, 1, x[i].value * dyz);
+        entries.set_gradient(entry, 2, x[i].value * ydz);
       }
     }
 }

@@ -21,8 +21,8 @@ struct Axis {
 
 /// The factors of `Nodes` nodes in a row, from a function of the distance r [m] from a node.
 template <int Nodes, class Function>
-std::array<ValueSlope<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis, const Function& function) {
-  std::array<ValueSlope<Pack>, Nodes> factor;
+std::array<ValueGradient<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis, const Function& function) {
+  std::array<ValueGradient<Pack>, Nodes> factor;
   for (int i = 0; i < Nodes; ++i) factor[i] = function((s - Pack(static_cast<double>(i))) * axis.h, axis);
   return factor;
 }
@@ -35,7 +35,7 @@ std::array<ValueSlope<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis
 template <int Dim, int Nodes, class Function>
 void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>& lanes, StencilGroup<Dim>& group,
                          const Function& function) {
-  std::array<std::array<ValueSlope<Pack>, Nodes>, Dim> factor;
+  std::array<std::array<ValueGradient<Pack>, Nodes>, Dim> factor;
   const Counts<Dim> strides = grid.strides();
   Pack base(0.0), row;
   Mask inside;

@@ -14,7 +14,7 @@ public:
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const override { return averaged_; }
   [[nodiscard]] double density(std::span<const double>) const override { return 1.0; }
   void integrate(const MaterialBatch&, MaterialReport&) const override {}
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {}; }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override { return {}; }
 
 private:
   std::vector<std::string> averaged_;
@@ -27,7 +27,7 @@ public:
 
   [[nodiscard]] int max_nodes() const override { return 0; }
   [[nodiscard]] int margin() const override { return 0; }
-  [[nodiscard]] bool spreads_points() const override { return spreads_; }
+  [[nodiscard]] bool supports_apic() const override { return spreads_; }
   void evaluate(const Grid<Dim>&, const Points<Dim>&, Range, Stencils<Dim>&) const override {}
   [[nodiscard]] Mat<Dim> domain(const Grid<Dim>&, const Points<Dim>&, Index) const override { return Mat<Dim>::Zero(); }
 

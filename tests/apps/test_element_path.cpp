@@ -82,9 +82,9 @@ TEST_F(ElementPaths, RelativeTargetsAreChanges) {
   const PathLeg leg = path("test = 'path'\n[[stage]]\nrelative = true\neps_1 = 0.01\nsigma_2 = 'hold'\nsigma_3 = 5e3\n")
                           .stages[0]
                           .legs[0];
-  LawPoint point{.stress = -100e3 * Sym<double>::identity()};
+  MaterialPoint point{.stress = -100e3 * Sym<double>::identity()};
   point.F(0, 0) = 0.98;
-  const Leg absolute = leg_from(leg, point, {});
+  const LoadStep absolute = leg_from(leg, point, {});
   const auto target = [&](const char* name) {
     return std::ranges::find(absolute.conditions, name, &Condition::name)->target;
   };
@@ -134,14 +134,14 @@ TEST_F(ElementPaths, PoreWaterStandsInTotalStressesAlone) {
                                  "[[stage]]\nrelative = true\neps_1 = 0.01\nsigma_2 = 'hold'\np = 4e3\n");
   EXPECT_EQ(given.stress.m[0], -100e3) << "effective";
   EXPECT_EQ(given.stress.m[5], std::numbers::sqrt2 * 3e3);
-  LawPoint point{.stress = given.stress};
+  MaterialPoint point{.stress = given.stress};
   point.strain.m[0] = -1e-5; // 20 kPa of water
   EXPECT_NEAR(find_measure("u").at(point, given.water), 70e3, 1e-6);
   EXPECT_NEAR(find_measure("sigma_1").at(point, given.water), 170e3, 1e-6);
   EXPECT_NEAR(find_measure("sigma_2_plus_3").at(point, given.water), 310e3, 1e-6);
   EXPECT_NEAR(find_measure("p_eff").at(point, given.water), 90e3, 1e-6);
   EXPECT_EQ(find_measure("q").at(point, given.water), find_measure("q").of(point));
-  const Leg leg = leg_from(given.stages[0].legs[0], point, given.water);
+  const LoadStep leg = leg_from(given.stages[0].legs[0], point, given.water);
   const auto p = std::ranges::find(leg.conditions, "p", &Condition::name);
   EXPECT_NEAR(p->measure(point), 160e3, 1e-6);
   EXPECT_NEAR(p->target, 164e3, 1e-6);

@@ -19,7 +19,7 @@ protected:
   void SetUp() override { omp_set_num_threads(1); }
   const SchemeTraits promised_ = traits(GetParam());
   /// Gradients that are averages over neighbouring cells smooth what coarse cells can show.
-  const bool smooths_ = !scheme<2>(GetParam())->slopes_follow_weights();
+  const bool smooths_ = !scheme<2>(GetParam())->gradients_follow_weights();
 
   static VerifyStudy refined(std::string_view name, Index most_cells) {
     VerifyStudy answer = study(problem(name), catalogue(), GetParam(), {.most_cells = most_cells});

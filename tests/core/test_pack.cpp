@@ -145,8 +145,8 @@ TEST(Pack, CombinesTruthValuesAndFindsTheGreatestLane) {
     EXPECT_EQ(either[k], a[k] < b[k] || a[k] > 6.0);
     EXPECT_EQ(neither[k], !either[k]);
   }
-  EXPECT_TRUE(some(large));
-  EXPECT_FALSE(some(Pack::load(a.data()) > Pack(8.0)));
+  EXPECT_TRUE(any_lane(large));
+  EXPECT_FALSE(any_lane(Pack::load(a.data()) > Pack(8.0)));
   EXPECT_EQ(greatest(Pack::load(b.data())), 10.0);
 }
 

@@ -101,8 +101,8 @@ TEST(Snapshot, DrawsAShearedDomainCounterClockwise) {
 TEST(Snapshot, DrawsTheRealQuadrilateralOfADomainWithCornersOfItsOwn) {
   Simulation<2> simulation = single_point<2>("cpdi2", Mat<2>::Identity(), {0.4, 0.5});
   Points<2>& points = simulation.state().bodies.front().points;
-  points.of_scheme[3 * 2 + 0][0] += 0.3; // the upper right corner
-  points.of_scheme[3 * 2 + 1][0] += 0.2;
+  points.scheme_data[3 * 2 + 0][0] += 0.3; // the upper right corner
+  points.scheme_data[3 * 2 + 1][0] += 0.2;
   EXPECT_THAT(snapshot(simulation).corners,
               Pointwise(DoubleNear(1e-12), {0.1, 0.0, 0.0, 0.9, 0.0, 0.0, 1.2, 1.2, 0.0, 0.1, 1.0, 0.0}));
 }

@@ -16,7 +16,7 @@ Sym<double> tensor_with(const Vec<3>& values, std::mt19937& random) {
   Vec<3> u = a.col(0).normalized(), v = (a.col(1) - u.dot(a.col(1)) * u).normalized();
   Mat<3> Q;
   Q << u, v, u.cross(v);
-  return composed(values, Q);
+  return from_spectral(values, Q);
 }
 
 TEST(Spectral, FindsPrincipalValuesAndDirectionsToRoundOff) {
@@ -29,7 +29,7 @@ TEST(Spectral, FindsPrincipalValuesAndDirectionsToRoundOff) {
       const double scale = values.norm();
       EXPECT_LE((found.values - values).norm(), 1e-14 * scale);
       EXPECT_LE((found.directions.transpose() * found.directions - Mat<3>::Identity()).norm(), 4e-15);
-      EXPECT_LE(norm(composed(found.values, found.directions) - a), 1e-14 * scale);
+      EXPECT_LE(norm(from_spectral(found.values, found.directions) - a), 1e-14 * scale);
     }
 }
 
@@ -42,12 +42,12 @@ TEST(Spectral, EndsForATensorThatIsNotFinite) {
 TEST(Spectral, MapsPrincipalValues) {
   std::mt19937 random(5);
   const Sym<double> a = tensor_with({0.3, -0.1, 0.05}, random);
-  const Sym<double> e = mapped(spectral(a), [](double x) { return std::exp(x); });
+  const Sym<double> e = isotropic_function(spectral(a), [](double x) { return std::exp(x); });
   EXPECT_NEAR(determinant(e), std::exp(0.25), 1e-14);
-  EXPECT_LT(norm(mapped(spectral(e), [](double x) { return std::log(x); }) - a), 1e-14);
-  EXPECT_LT(
-      norm(sandwiched(e, Sym<double>::identity()) - mapped(spectral(a), [](double x) { return std::exp(2 * x); })),
-      1e-14);
+  EXPECT_LT(norm(isotropic_function(spectral(e), [](double x) { return std::log(x); }) - a), 1e-14);
+  EXPECT_LT(norm(congruent(e, Sym<double>::identity()) -
+                 isotropic_function(spectral(a), [](double x) { return std::exp(2 * x); })),
+            1e-14);
 }
 
 TEST(PrincipalValues, AgreeForPacksAndPoints) {

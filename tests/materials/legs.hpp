@@ -11,31 +11,31 @@ namespace riedel::test {
 inline constexpr double degrees = 180.0 / std::numbers::pi, sqrt2 = std::numbers::sqrt2;
 
 inline Condition stretch(int axis, double target) {
-  return {"eps_" + std::to_string(axis + 1), [=](const LawPoint& q) { return q.F(axis, axis); }, target, false};
+  return {"eps_" + std::to_string(axis + 1), [=](const MaterialPoint& q) { return q.F(axis, axis); }, target, false};
 }
 inline Condition shear(int i, int j, double target) {
-  return {"gamma", [=](const LawPoint& q) { return q.F(i, j); }, target, false};
+  return {"gamma", [=](const MaterialPoint& q) { return q.F(i, j); }, target, false};
 }
 inline Condition stress(std::size_t axis, double target) {
-  return {"sigma_" + std::to_string(axis + 1), [=](const LawPoint& q) { return q.stress.m[axis]; }, target, true};
+  return {"sigma_" + std::to_string(axis + 1), [=](const MaterialPoint& q) { return q.stress.m[axis]; }, target, true};
 }
 inline Condition volume(double target) {
-  return {"volume", [](const LawPoint& q) { return q.F.determinant(); }, target, false};
+  return {"volume", [](const MaterialPoint& q) { return q.F.determinant(); }, target, false};
 }
-inline Leg leg_of(Condition a, Condition b, Condition c, double gamma = 0.0) {
+inline LoadStep leg_of(Condition a, Condition b, Condition c, double gamma = 0.0) {
   return {.conditions = {std::move(a), std::move(b), std::move(c), shear(0, 1, gamma), shear(0, 2, 0), shear(1, 2, 0)}};
 }
-inline Leg triaxial(double u, double p) { return leg_of(stretch(0, 1 - u), stress(1, -p), stress(2, -p)); }
-inline Leg plane_strain(double u, double p) { return leg_of(stretch(0, 1 - u), stress(1, -p), stretch(2, 1)); }
-inline Leg oedometer(double u, double) { return leg_of(stretch(0, 1 - u), stretch(1, 1), stretch(2, 1)); }
-inline Leg simple_shear(double u, double p) { return leg_of(stretch(0, 1), stress(1, -p), stretch(2, 1), u); }
+inline LoadStep triaxial(double u, double p) { return leg_of(stretch(0, 1 - u), stress(1, -p), stress(2, -p)); }
+inline LoadStep plane_strain(double u, double p) { return leg_of(stretch(0, 1 - u), stress(1, -p), stretch(2, 1)); }
+inline LoadStep oedometer(double u, double) { return leg_of(stretch(0, 1 - u), stretch(1, 1), stretch(2, 1)); }
+inline LoadStep simple_shear(double u, double p) { return leg_of(stretch(0, 1), stress(1, -p), stretch(2, 1), u); }
 
-inline LawPoint sand(double void_ratio, double pressure) {
+inline MaterialPoint sand(double void_ratio, double pressure) {
   return {.stress = -pressure * Sym<double>::identity(), .state = {void_ratio, 0.0}};
 }
 inline std::shared_ptr<const Material> karlsruhe(double tolerance = 1e-6) {
   return material("gudehus_bauer", {{"tolerance", tolerance}});
 }
-inline bool go_on(const LawPoint&) { return true; }
+inline bool go_on(const MaterialPoint&) { return true; }
 
 } // namespace riedel::test

@@ -104,7 +104,7 @@ TEST_P(EveryLaw, RefusesParametersOutOfRangeAndTellsTheRange) {
 TEST_P(EveryLaw, TellsAWaveSpeedThatNoIncrementExceeds) {
   LawBench b = bench();
   b.integrate(0.0); // fills the batch
-  const double c = b.law->survey(b.batch).wave_speed;
+  const double c = b.law->assess(b.batch).wave_speed;
   std::mt19937 random(11);
   for (int trial = 0; trial < 200; ++trial) {
     LawBench probe = bench();

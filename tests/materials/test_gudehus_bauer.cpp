@@ -155,7 +155,7 @@ TEST(GudehusBauer, SurveysPacksAsItDoesPoints) {
       outside += e < 0.51 / 1.3 * e_i(pressure) || e > e_i(pressure);
     }
     bench.integrate(0.0, part); // fills the batch
-    const Survey survey = bench.law->survey(bench.batch);
+    const MaterialLimits survey = bench.law->assess(bench.batch);
     EXPECT_NEAR(survey.wave_speed, fastest, 1e-11 * fastest);
     EXPECT_EQ(survey.out_of_bounds, outside);
   }

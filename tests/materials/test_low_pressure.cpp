@@ -102,7 +102,7 @@ TEST_P(CohesiveSand, MovesAsTheUnshiftedLawDoesAtTheShiftedStress) {
     EXPECT_EQ(shifted.report.failures, 0);
     EXPECT_EQ(shifted.report.evaluated_twice, plain.report.evaluated_twice);
     const LawBench &a = shifted, &b = plain;
-    EXPECT_NEAR(a.law->survey(a.batch).wave_speed, b.law->survey(b.batch).wave_speed, 1e-6);
+    EXPECT_NEAR(a.law->assess(a.batch).wave_speed, b.law->assess(b.batch).wave_speed, 1e-6);
   }
   EXPECT_GT(apart, 0);
 }
@@ -150,7 +150,7 @@ TEST(VoidRatio, IsHeldToItsBoundsAtThePressureThatTheLawSees) {
     LawBench bench = sand(-5e4 * Sym<double>::identity(), cohesion);
     bench.put(0, bench.stress_of(0), 1.255, Sym<double>::zero());
     bench.integrate(1.0);
-    EXPECT_EQ(bench.law->survey(bench.batch).out_of_bounds, cohesion > 0.0 ? 1 : 0);
+    EXPECT_EQ(bench.law->assess(bench.batch).out_of_bounds, cohesion > 0.0 ? 1 : 0);
   }
 }
 
@@ -158,11 +158,11 @@ TEST(LowPressure, LetsAPointThatIsApartKeepTheWaveSpeedOfItsContact) {
   LawBench bench = sand(Sym<double>::zero());
   bench.state[1][0] = 1e-3;
   bench.integrate(0.0);
-  const double apart = bench.law->survey(bench.batch).wave_speed;
+  const double apart = bench.law->assess(bench.batch).wave_speed;
   bench.state[1][0] = 0.0;
   bench.put(0, -10.0 * Sym<double>::identity(), 0.6, Sym<double>::zero());
   EXPECT_GT(apart, 10.0);
-  EXPECT_NEAR(apart, bench.law->survey(bench.batch).wave_speed, 1e-9);
+  EXPECT_NEAR(apart, bench.law->assess(bench.batch).wave_speed, 1e-9);
 }
 
 TEST(VoidRatio, OutsideItsBoundsIsCountedAndNotClamped) {
@@ -170,7 +170,7 @@ TEST(VoidRatio, OutsideItsBoundsIsCountedAndNotClamped) {
   for (Index p = 0; p < 3; ++p)
     bench.put(p, -5e4 * Sym<double>::identity(), p == 0 ? 0.45 : p == 1 ? 0.6 : 1.35, diagonal(0, 0, 0));
   bench.integrate(1e-6);
-  EXPECT_EQ(bench.law->survey(bench.batch).out_of_bounds, 2);
+  EXPECT_EQ(bench.law->assess(bench.batch).out_of_bounds, 2);
   EXPECT_EQ(bench.state[0][0], 0.45);
   EXPECT_EQ(bench.state[0][2], 1.35);
 }

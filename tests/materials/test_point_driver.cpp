@@ -10,18 +10,18 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-double mobilised(const LawPoint& q) {
+double mobilised(const MaterialPoint& q) {
   const double s1 = -q.stress.m[0], s3 = -q.stress.m[1];
   return std::asin((s1 - s3) / (s1 + s3)) * degrees;
 }
-double sheared(const LawPoint& q) { return std::atan2(q.stress.m[3] / sqrt2, -q.stress.m[1]) * degrees; }
+double sheared(const MaterialPoint& q) { return std::atan2(q.stress.m[3] / sqrt2, -q.stress.m[1]) * degrees; }
 
 struct Curve {
   std::string name;
   double void_ratio, pressure;
-  Leg (*leg)(double, double);
+  LoadStep (*leg)(double, double);
   std::string strain, angle;
-  double (*angle_of)(const LawPoint&);
+  double (*angle_of)(const MaterialPoint&);
 };
 std::ostream& operator<<(std::ostream& out, const Curve& curve) { return out << curve.name; }
 
@@ -38,7 +38,7 @@ TEST_P(ReferenceCurve, IsMet) {
   ASSERT_EQ(strain.size(), 200U);
   for (std::size_t i = 1; i < strain.size(); ++i) {
     ASSERT_TRUE(driver.follow(curve.leg(strain[i], curve.pressure), go_on));
-    const LawPoint& q = driver.point();
+    const MaterialPoint& q = driver.point();
     ASSERT_NEAR(q.state[0], wanted.at("e")[i], 1e-5) << strain[i];
     ASSERT_NEAR(-q.stress.m[0], wanted.at("sig11_Pa")[i], 1e-4 * wanted.at("sig11_Pa")[i]) << strain[i];
     if (!curve.angle.empty()) { ASSERT_NEAR(curve.angle_of(q), wanted.at(curve.angle)[i], 1e-3) << strain[i]; }
@@ -61,11 +61,11 @@ INSTANTIATE_TEST_SUITE_P(
 struct Angles {
   double peak = 0, at = 0, last = 0;
 };
-Angles angles(double void_ratio, double pressure, const Leg& leg) {
+Angles angles(double void_ratio, double pressure, const LoadStep& leg) {
   const auto law = karlsruhe();
   PointDriver driver(*law, sand(void_ratio, pressure));
   Angles found;
-  driver.follow(leg, [&](const LawPoint& q) {
+  driver.follow(leg, [&](const MaterialPoint& q) {
     found.last = mobilised(q);
     if (found.last > found.peak) found.peak = found.last, found.at = 1 - q.F(0, 0);
     return true;
@@ -94,9 +94,9 @@ TEST(PointDriver, FindsThePeaksOfTriaxialCompression) {
 TEST(PointDriver, UndrainedCompressionKeepsTheVolumeAndRaisesThePressureOfDenseSand) {
   const auto law = karlsruhe();
   PointDriver driver(*law, sand(0.60, 100e3));
-  const Condition equal{"sigma_2 - sigma_3", [](const LawPoint& q) { return q.stress.m[1] - q.stress.m[2]; }, 0.0,
+  const Condition equal{"sigma_2 - sigma_3", [](const MaterialPoint& q) { return q.stress.m[1] - q.stress.m[2]; }, 0.0,
                         true};
-  driver.follow(leg_of(stretch(0, 0.97), volume(1), equal), [&](const LawPoint& q) {
+  driver.follow(leg_of(stretch(0, 0.97), volume(1), equal), [&](const MaterialPoint& q) {
     EXPECT_NEAR(q.state[0], 0.60, 1e-9);
     EXPECT_NEAR(q.F(1, 1), q.F(2, 2), 1e-9);
     return true;
@@ -108,7 +108,7 @@ TEST(PointDriver, ShearsAnElasticPointByTheClosedFormOfTheJaumannRate) {
   const double E = 1e6, nu = 0.25, G = E / (2 * (1 + nu));
   const auto law = material("linear_elastic", {{"youngs_modulus", E}, {"poissons_ratio", nu}});
   PointDriver driver(*law, {}, {.tolerance = 1e-8});
-  driver.follow(leg_of(stretch(0, 1), stretch(1, 1), stretch(2, 1), 2.0), [&](const LawPoint& q) {
+  driver.follow(leg_of(stretch(0, 1), stretch(1, 1), stretch(2, 1), 2.0), [&](const MaterialPoint& q) {
     const double gamma = q.F(0, 1); // τ = G sin γ, σ11 = −σ22 = G (1 − cos γ)
     EXPECT_NEAR(q.stress.m[3] / sqrt2, G * std::sin(gamma), 1e-4 * G);
     EXPECT_NEAR(q.stress.m[0], G * (1 - std::cos(gamma)), 1e-4 * G);
@@ -120,13 +120,13 @@ TEST(PointDriver, ShearsAnElasticPointByTheClosedFormOfTheJaumannRate) {
 
 TEST(PointDriver, WithoutSpinTheShearStressFollowsTheStrain) {
   const auto law = material("linear_elastic", {{"youngs_modulus", 1e6}, {"poissons_ratio", 0.25}});
-  Leg leg = leg_of(stretch(0, 1), stretch(1, 1), stretch(2, 1));
-  leg.conditions[3] = {"gamma", [](const LawPoint& q) { return sqrt2 * q.strain.m[3]; }, 0.5, false};
+  LoadStep leg = leg_of(stretch(0, 1), stretch(1, 1), stretch(2, 1));
+  leg.conditions[3] = {"gamma", [](const MaterialPoint& q) { return sqrt2 * q.strain.m[3]; }, 0.5, false};
   for (std::size_t a = 0; a < 3; ++a)
-    leg.conditions[a] = {"eps", [=](const LawPoint& q) { return q.strain.m[a]; }, 0.0, false};
+    leg.conditions[a] = {"eps", [=](const MaterialPoint& q) { return q.strain.m[a]; }, 0.0, false};
   for (std::size_t c = 4; c < 6; ++c)
-    leg.conditions[c] = {"gamma", [=](const LawPoint& q) { return q.strain.m[c]; }, 0.0, false};
-  leg.motion = Leg::Motion::no_spin;
+    leg.conditions[c] = {"gamma", [=](const MaterialPoint& q) { return q.strain.m[c]; }, 0.0, false};
+  leg.motion = LoadStep::Motion::no_spin;
   PointDriver driver(*law, {});
   driver.follow(leg, go_on);
   EXPECT_NEAR(driver.point().stress.m[3] / sqrt2, 0.4e6 * 0.5, 1e-3);
@@ -168,7 +168,7 @@ TEST(PointDriver, SaysHowFarItCameWhenAStressIsBeyondTheLimit) {
 TEST(PointDriver, StopsWhenItIsAskedTo) {
   const auto law = karlsruhe();
   PointDriver driver(*law, sand(0.75, 100e3));
-  EXPECT_FALSE(driver.follow(triaxial(0.1, 100e3), [](const LawPoint& q) { return 1 - q.F(0, 0) < 0.01; }));
+  EXPECT_FALSE(driver.follow(triaxial(0.1, 100e3), [](const MaterialPoint& q) { return 1 - q.F(0, 0) < 0.01; }));
   EXPECT_NEAR(1 - driver.point().F(0, 0), 0.01, 0.003);
 }
 

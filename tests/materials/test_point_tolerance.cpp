@@ -13,10 +13,10 @@ using testing::HasSubstr;
 /// Kinds of paths, with what they start from.
 struct Kind {
   std::string name;
-  Leg leg;
+  LoadStep leg;
 };
 std::vector<Kind> kinds() {
-  const Condition equal{"difference", [](const LawPoint& q) { return q.stress.m[1] - q.stress.m[2]; }, 0.0, true};
+  const Condition equal{"difference", [](const MaterialPoint& q) { return q.stress.m[1] - q.stress.m[2]; }, 0.0, true};
   return {{"strains", oedometer(0.002, 0)},
           {"small strains", oedometer(1e-7, 0)},
           {"triaxial", triaxial(0.002, 100e3)},
@@ -25,12 +25,12 @@ std::vector<Kind> kinds() {
           {"undrained", leg_of(stretch(0, 0.998), volume(1), equal)},
           {"stresses", leg_of(stress(0, -110e3), stress(1, -105e3), stress(2, -105e3))}};
 }
-LawPoint start_of(const Material& law) {
-  LawPoint start{.stress = -100e3 * Sym<double>::identity(), .state = law.initial_state()};
+MaterialPoint start_of(const Material& law) {
+  MaterialPoint start{.stress = -100e3 * Sym<double>::identity(), .state = law.initial_state()};
   if (const int e = state_column(law.states(), "void_ratio"); e >= 0) start.state[static_cast<std::size_t>(e)] = 0.7;
   return start;
 }
-LawPoint end_of(const Material& law, const Leg& leg, double tolerance) {
+MaterialPoint end_of(const Material& law, const LoadStep& leg, double tolerance) {
   PointDriver driver(law, start_of(law), {.tolerance = tolerance});
   EXPECT_TRUE(driver.follow(leg, go_on)) << tolerance;
   EXPECT_LT(driver.steps(), 300000);
@@ -48,9 +48,9 @@ TEST_P(AnyTolerance, IsMetByEveryLawOnEveryKindOfPath) {
   const auto law = graded ? material(GetParam(), {{"tolerance", of_law}}) : material(GetParam());
   for (const Kind& kind : kinds()) {
     SCOPED_TRACE(kind.name);
-    const LawPoint exact = end_of(*law, kind.leg, 1e-12);
+    const MaterialPoint exact = end_of(*law, kind.leg, 1e-12);
     for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
-      const LawPoint end = end_of(*law, kind.leg, tolerance);
+      const MaterialPoint end = end_of(*law, kind.leg, tolerance);
       const double error = std::max(tolerance, graded ? 5.0 * of_law : 1e-12);
       EXPECT_LT(norm(end.stress - exact.stress), error * norm(exact.stress)) << tolerance;
       EXPECT_LT((end.F - exact.F).norm(), error * (exact.F - Mat<3>::Identity()).norm() + 1e-13) << tolerance;
@@ -64,10 +64,10 @@ INSTANTIATE_TEST_SUITE_P(All, AnyTolerance, testing::ValuesIn(law_names()));
 TEST(PointDriver, StaysSymmetricAtTheEdgeOfAYieldSurface) {
   for (const double residual : {30.0, 25.0}) {
     const auto law = material("mohr_coulomb", {{"friction_angle_residual", residual}, {"softening_strain", 0.05}});
-    const LawPoint exact = end_of(*law, triaxial(0.05, 100e3), 1e-10);
+    const MaterialPoint exact = end_of(*law, triaxial(0.05, 100e3), 1e-10);
     EXPECT_NEAR(exact.F.determinant(), 1.0, 0.01);
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-12}) {
-      const LawPoint end = end_of(*law, triaxial(0.05, 100e3), tolerance);
+      const MaterialPoint end = end_of(*law, triaxial(0.05, 100e3), tolerance);
       EXPECT_NEAR(end.F(1, 1), end.F(2, 2), 1e-12) << tolerance;
       EXPECT_LT((end.F - exact.F).norm(), 0.05 * tolerance + 1e-10) << tolerance;
       EXPECT_LT(norm(end.stress - exact.stress), tolerance * norm(exact.stress)) << tolerance;
@@ -79,9 +79,9 @@ TEST(PointDriver, StaysSymmetricAtTheEdgeOfAYieldSurface) {
 TEST(PointDriver, ConvergesWhereAYieldSurfaceIsFollowedAroundItsAxis) {
   for (const std::string& name : laws_with("softening_strain")) {
     const auto law = material(name);
-    const LawPoint exact = end_of(*law, simple_shear(0.05, 50e3), 1e-9);
+    const MaterialPoint exact = end_of(*law, simple_shear(0.05, 50e3), 1e-9);
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
-      const LawPoint end = end_of(*law, simple_shear(0.05, 50e3), tolerance);
+      const MaterialPoint end = end_of(*law, simple_shear(0.05, 50e3), tolerance);
       EXPECT_LT(norm(end.stress - exact.stress), 3.0 * tolerance * norm(exact.stress)) << name << tolerance;
       EXPECT_LT((end.F - exact.F).norm(), 0.05 * tolerance) << name << tolerance;
     }
@@ -96,7 +96,7 @@ public:
   void integrate(const MaterialBatch& batch, MaterialReport&) const override {
     *batch.stress[0] += 1e7 * batch.rate[0][0] * batch.time_step - 100.0;
   }
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {.wave_speed = 70.0}; }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override { return {.wave_speed = 70.0}; }
 };
 
 /// The message of a path that ends without a condition missed names none.
@@ -110,13 +110,13 @@ TEST(PointDriver, SaysThatAStressJumps) {
 
 TEST(PointDriver, LeadsAConditionAlongASine) {
   const auto law = material("linear_elastic", {{"youngs_modulus", 1e6}, {"poissons_ratio", 0.0}});
-  Leg leg = leg_of(stress(0, -20e3), stretch(1, 1), stretch(2, 1));
+  LoadStep leg = leg_of(stress(0, -20e3), stretch(1, 1), stretch(2, 1));
   leg.conditions[0].swing = -5e3;
   leg.conditions[0].phase = 0.5;
   leg.duration = 2.0;
   PointDriver driver(*law, {.stress = -10e3 * Sym<double>::identity()});
   double least = 1e9;
-  ASSERT_TRUE(driver.follow(leg, [&](const LawPoint& q) {
+  ASSERT_TRUE(driver.follow(leg, [&](const MaterialPoint& q) {
     const double share = q.time / 2.0;
     const double wave = std::sin(2 * std::numbers::pi * share + 0.5) - std::sin(0.5);
     EXPECT_NEAR(q.stress.m[0], -10e3 - 10e3 * share - 5e3 * wave, 1e-4);
@@ -130,7 +130,7 @@ TEST(PointDriver, LeadsAConditionAlongASine) {
 /// A stretch and a turn at once: the stress of an elastic point is that of the stretch, turned.
 TEST(PointDriver, FollowsADeformationGradient) {
   const auto law = material("linear_elastic", {{"youngs_modulus", 1e6}, {"poissons_ratio", 0.25}});
-  Leg leg{.conditions = {}, .motion = Leg::Motion::given};
+  LoadStep leg{.conditions = {}, .motion = LoadStep::Motion::given};
   leg.deformation << 1.0, 0.4, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0; // simple shear: sigma_12 = G sin(gamma)
   PointDriver driver(*law, {}, {.tolerance = 1e-8});
   ASSERT_TRUE(driver.follow(leg, go_on));

@@ -19,7 +19,7 @@ public:
   }
   [[nodiscard]] std::span<const StateVariable> states() const override { return sand_.states(); }
   [[nodiscard]] double density(std::span<const double> state) const override { return sand_.density(state); }
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override { return sand_.survey(batch); }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override { return sand_.assess(batch); }
 
 private:
   GudehusBauer sand_;
@@ -75,7 +75,7 @@ public:
   }
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] double density(std::span<const double>) const override { return 1.0; }
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {}; }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override { return {}; }
 
 private:
   std::vector<StateVariable> states_{{"broken", "-", "NaN as soon as it moves"}};

@@ -165,7 +165,7 @@ TEST(VonWolffersdorff, CountsVoidRatiosOutOfBounds) {
   for (Index p = 0; p < 3; ++p)
     bench.put(p, -5e4 * Sym<double>::identity(), p == 0 ? 0.45 : p == 1 ? 0.6 : 1.0, Sym<double>::zero());
   bench.integrate(1e-6);
-  EXPECT_EQ(bench.law->survey(bench.batch).out_of_bounds, 2);
+  EXPECT_EQ(bench.law->assess(bench.batch).out_of_bounds, 2);
 }
 
 TEST(VonWolffersdorff, RefusesVoidRatiosInTheWrongOrderAndAnExponentThatSoftensCompression) {

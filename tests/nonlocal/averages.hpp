@@ -22,7 +22,7 @@ inline Numbers random_numbers(Index count, double lower, double upper, unsigned 
 template <int Dim>
 Numbers averaged(NonlocalAverager<Dim>& averager, const Columns& x, const Numbers& volumes, const Numbers& field) {
   Numbers answer(field.size());
-  averager.follow(x);
+  averager.update_neighbours(x);
   averager.average(volumes.data(), field.data(), answer.data());
   return answer;
 }

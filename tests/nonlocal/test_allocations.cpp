@@ -46,12 +46,12 @@ TEST(Averaging, TakesNoMemoryBetweenSearches) {
     Columns x = random_points<2>(900, 1.0);
     const std::vector<double> volumes(900, 1.0), field(900, 2.0);
     std::vector<double> answer(900);
-    averager->follow(x);
+    averager->update_neighbours(x);
     averager->average(volumes.data(), field.data(), answer.data());
     const long before = allocations;
     for (int call = 0; call < 20; ++call) {
       for (Index p = 0; p < x.size(); ++p) x[0][p] += 1e-4 * p / 900; // weights are evaluated anew now and then
-      averager->follow(x);
+      averager->update_neighbours(x);
       averager->average(volumes.data(), field.data(), answer.data());
     }
     EXPECT_EQ(allocations, before);
@@ -73,7 +73,7 @@ TEST(Averaging, KeepsAtMostTwelveBytesPerNeighbourOfPointsInRows) {
     search->find(x, 3.1 * 1.5e-3, rows);
     const long before = bytes;
     const auto averager = catalogue.averagers.find("gauss").make(1.5e-3, catalogue.searches.find("cell_list").make());
-    averager->follow(x);
+    averager->update_neighbours(x);
     averager->average(volumes.data(), volumes.data(), answer.data());
     EXPECT_LE(static_cast<double>(bytes - before) / static_cast<double>(rows.index.size()), 12.0);
   }

@@ -86,7 +86,7 @@ TYPED_TEST(EveryAverager, PermutesItsResultWithThePoints) {
   this->for_every_averager([&](const auto& make, double) {
     const auto averager = make();
     const Numbers before = averaged(*averager, this->x_, this->volumes_, this->field_);
-    averager->forget_neighbours();
+    averager->invalidate();
     expect_near(averaged(*averager, x, permuted(this->volumes_), permuted(this->field_)), permuted(before), 1e-13);
     EXPECT_EQ(averager->searches(), 2);
   });
@@ -144,7 +144,7 @@ TYPED_TEST(EveryAverager, SearchesOnceWhileNothingMovesUnlessToldToForget) {
     const auto averager = make();
     for (int call = 0; call < 5; ++call) averaged(*averager, this->x_, this->volumes_, this->field_);
     EXPECT_EQ(averager->searches(), 1);
-    averager->forget_neighbours();
+    averager->invalidate();
     averaged(*averager, this->x_, this->volumes_, this->field_);
     EXPECT_EQ(averager->searches(), 2);
   });

@@ -100,7 +100,7 @@ TEST(GaussGridAverager, RefusesAGridForAPointFarAwayAndNamesIt) {
     x[1][17] = -far;
     GaussGridAverager<3> averager(length);
     try {
-      averager.follow(x);
+      averager.update_neighbours(x);
       ADD_FAILURE() << "not noticed";
     } catch (const RunError& error) {
       EXPECT_NE(std::string(error.what()).find("point 17 at ("), std::string::npos) << error.what();
@@ -111,10 +111,10 @@ TEST(GaussGridAverager, RefusesAGridForAPointFarAwayAndNamesIt) {
 TEST(GaussGridAverager, NamesThePointWhosePositionIsNotANumber) {
   Columns x = random_points<2>(50, 20 * length);
   GaussGridAverager<2> averager(length);
-  averager.follow(x);
+  averager.update_neighbours(x);
   x[1][13] = std::nan("");
   try {
-    averager.follow(x);
+    averager.update_neighbours(x);
     ADD_FAILURE() << "not noticed";
   } catch (const RunError& error) {
     EXPECT_NE(std::string(error.what()).find("point 13"), std::string::npos) << error.what();

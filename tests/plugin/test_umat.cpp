@@ -54,7 +54,7 @@ TEST_F(FortranUmat, GivesTheWaveSpeedFromItsStiffness) {
   LawBench bench = one_point(umat(example("elastic_umat"), {{"parameters", std::vector<double>{1e7, 0.3}}}));
   bench.integrate(0.0);
   const double longitudinal = 1e7 * 0.7 / (1.3 * 0.4);
-  EXPECT_NEAR(bench.law->survey(bench.batch).wave_speed, std::sqrt(longitudinal / 2000.0), 1e-9);
+  EXPECT_NEAR(bench.law->assess(bench.batch).wave_speed, std::sqrt(longitudinal / 2000.0), 1e-9);
 }
 
 /// Along the strains of a plane strain compression to 6 %, past the peak, as the point driver found them.

@@ -32,14 +32,14 @@ std::vector<Weight<Dim>> weights(const std::string& name, const Vec<Dim>& x, dou
   const auto shape = scheme<Dim>(name, options);
   Stencils<Dim> stencils;
   stencils.resize(1, shape->max_nodes());
-  Columns of_nodes{0};
-  evaluate_anew(*shape, grid, points, of_nodes, stencils);
+  Columns node_data{0};
+  evaluate_anew(*shape, grid, points, node_data, stencils);
   std::vector<Weight<Dim>> all(static_cast<std::size_t>(grid.node_count()), Weight<Dim>::Zero());
   const StencilGroup<Dim>& group = stencils.group_of(0);
   for (int e = 0; e < group.count; ++e) {
     Weight<Dim>& w = all[static_cast<std::size_t>(group.node_of(e, 0))];
     w[0] += group.value_of(e, 0);
-    for (int a = 0; a < Dim; ++a) w[a + 1] += group.slope_of(e, a, 0);
+    for (int a = 0; a < Dim; ++a) w[a + 1] += group.gradient_of(e, a, 0);
   }
   return all;
 }

@@ -6,7 +6,7 @@
 namespace riedel::test {
 namespace {
 
-/// N of the node at (2 m, 2 m) and its slope along x, for a point r to the right of it.
+/// N of the node at (2 m, 2 m) and its gradient along x, for a point r to the right of it.
 Weight<2> in_a_row(const std::string& name, double r) {
   return weights<2>(name, {2.0 + r, 2.0}, 0.5)[static_cast<std::size_t>(four_cells<2>().node({6, 6}))];
 }
@@ -34,12 +34,12 @@ TEST(Bspline3, HasTheKnownValues) {
   EXPECT_NEAR(in_a_row("bspline3", 1.5)[0], in_y / 48.0, 1e-15);
 }
 
-/// Jumps of a derivative across the knots, from one-sided difference quotients of the slope.
+/// Jumps of a derivative across the knots, from one-sided difference quotients of the gradient.
 double curvature_jump(const std::string& name, double knot) {
   const double d = 1e-4;
-  const auto slope = [&](double r) { return in_a_row(name, r)[1]; };
-  const double after = (slope(knot + 2 * d) - slope(knot + d)) / d;
-  const double before = (slope(knot - d) - slope(knot - 2 * d)) / d;
+  const auto gradient = [&](double r) { return in_a_row(name, r)[1]; };
+  const double after = (gradient(knot + 2 * d) - gradient(knot + d)) / d;
+  const double before = (gradient(knot - d) - gradient(knot - 2 * d)) / d;
   return std::abs(after - before);
 }
 

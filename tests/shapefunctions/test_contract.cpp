@@ -13,7 +13,7 @@ template <int Dim>
 struct Cloud {
   Grid<Dim> grid = grid_of<Dim>(cells(), 0.5, 4);
   Points<Dim> points;
-  Columns of_nodes{0};
+  Columns node_data{0};
   Stencils<Dim> stencils;
   std::shared_ptr<const ShapeFunction<Dim>> shape;
 
@@ -45,7 +45,7 @@ struct Cloud {
     evaluate();
   }
 
-  void evaluate() { evaluate_anew(*shape, grid, points, of_nodes, stencils); }
+  void evaluate() { evaluate_anew(*shape, grid, points, node_data, stencils); }
 
   /// Σ_entries f(N, ∇N, x_i) of point p.
   template <class T, class F>
@@ -53,9 +53,9 @@ struct Cloud {
     const StencilGroup<Dim>& group = stencils.group_of(p);
     const int lane = p % pack_size;
     for (int e = 0; e < group.count; ++e) {
-      Vec<Dim> slope;
-      for (int a = 0; a < Dim; ++a) slope[a] = group.slope[(e * Dim + a) * pack_size + lane];
-      start += f(group.value_of(e, lane), slope, grid.position(grid.index(group.node_of(e, lane))));
+      Vec<Dim> gradient;
+      for (int a = 0; a < Dim; ++a) gradient[a] = group.gradient[(e * Dim + a) * pack_size + lane];
+      start += f(group.value_of(e, lane), gradient, grid.position(grid.index(group.node_of(e, lane))));
     }
     return start;
   }
@@ -80,7 +80,7 @@ double least_second_moment(const std::string& name) {
 /// What APIC divides by.
 template <int Dim>
 void a_scheme_that_spreads_points_has_second_moments(const std::string& name) {
-  if (scheme<Dim>(name)->spreads_points()) {
+  if (scheme<Dim>(name)->supports_apic()) {
     EXPECT_GT(least_second_moment<Dim>(name), 0.02);
   } else {
     EXPECT_LT(least_second_moment<Dim>(name), 1e-9);
@@ -92,9 +92,9 @@ void weights_sum_to_one(const std::string& name, bool walls) {
   const Cloud<Dim> cloud(name, 0.5, 0.3, 203, walls);
   for (Index p = 0; p < cloud.points.size(); ++p) {
     EXPECT_NEAR(cloud.sum(p, 0.0, [](double N, auto&, auto) { return N; }), 1.0, 1e-14);
-    const Vec<Dim> slopes =
+    const Vec<Dim> gradients =
         cloud.sum(p, Vec<Dim>(Vec<Dim>::Zero()), [](double, const Vec<Dim>& dN, auto) { return dN; });
-    EXPECT_LT(slopes.norm(), 1e-12);
+    EXPECT_LT(gradients.norm(), 1e-12);
   }
 }
 
@@ -117,7 +117,7 @@ void linear_fields_are_exact(const std::string& name, bool walls) {
 /// three dimensions a slanted domain sees the hats' cubic term, so there the domains are upright. The middles of cells,
 /// where splines of second degree have their knots, are left out.
 template <int Dim>
-void slopes_match_difference_quotients(const std::string& name) {
+void gradients_match_difference_quotients(const std::string& name) {
   constexpr double step = 1e-5;
   Cloud<Dim> cloud(name, 0.1, Dim == 2 ? 0.3 : 0.0);
   for (Index p = 0; p < cloud.points.size(); ++p)
@@ -127,7 +127,7 @@ void slopes_match_difference_quotients(const std::string& name) {
     }
   const Columns places = cloud.points.position;
   for (int a = 0; a < Dim; ++a) {
-    std::array<std::vector<std::vector<double>>, 3> weights; // by node, at −step, 0, +step; [2] holds slopes
+    std::array<std::vector<std::vector<double>>, 3> weights; // by node, at −step, 0, +step; [2] holds gradients
     for (const int side : {0, 1, 2}) {
       cloud.points.position = places;
       for (Index p = 0; p < places.size(); ++p) cloud.points.position[a][p] += (side - 1) * step;
@@ -137,7 +137,7 @@ void slopes_match_difference_quotients(const std::string& name) {
         const StencilGroup<Dim>& group = cloud.stencils.group_of(p);
         for (int e = 0; e < group.count; ++e)
           at_node[static_cast<std::size_t>(group.node_of(e, p % pack_size))] +=
-              side == 1 ? group.slope[(e * Dim + a) * pack_size + p % pack_size] : group.value_of(e, p % pack_size);
+              side == 1 ? group.gradient[(e * Dim + a) * pack_size + p % pack_size] : group.value_of(e, p % pack_size);
         weights[static_cast<std::size_t>(side)].push_back(std::move(at_node));
       }
     }
@@ -214,7 +214,7 @@ void a_point_gets_the_same_bits_in_any_lane(const std::string& name) {
 
 class EveryScheme : public testing::TestWithParam<std::string> {};
 
-TEST_P(EveryScheme, HasWeightsThatSumToOneAndSlopesThatSumToZero) {
+TEST_P(EveryScheme, HasWeightsThatSumToOneAndGradientsThatSumToZero) {
   for (const bool walls : {false, true}) {
     weights_sum_to_one<2>(GetParam(), walls);
     weights_sum_to_one<3>(GetParam(), walls);
@@ -226,10 +226,10 @@ TEST_P(EveryScheme, ReproducesALinearFieldAndItsGradientInEveryCell) {
     linear_fields_are_exact<3>(GetParam(), walls);
   }
 }
-TEST_P(EveryScheme, HasSlopesThatMatchDifferenceQuotients) {
-  if (!scheme<2>(GetParam())->slopes_follow_weights()) GTEST_SKIP() << "it says that they do not";
-  slopes_match_difference_quotients<2>(GetParam());
-  slopes_match_difference_quotients<3>(GetParam());
+TEST_P(EveryScheme, HasGradientsThatMatchDifferenceQuotients) {
+  if (!scheme<2>(GetParam())->gradients_follow_weights()) GTEST_SKIP() << "it says that they do not";
+  gradients_match_difference_quotients<2>(GetParam());
+  gradients_match_difference_quotients<3>(GetParam());
 }
 TEST_P(EveryScheme, MarksAPointWhoseSupportLeavesTheGrid) {
   a_point_out_of_reach_is_marked<2>(GetParam());

@@ -38,9 +38,9 @@ struct FreeDomain {
   template <class CornerAt>
   FreeDomain(const CornerAt& corner, double limit = 0.0) : shape(scheme<Dim>("cpdi2", {{"domain_limit", limit}})) {
     points.resize(1, 0);
-    start(*shape, four_cells<Dim>(), points);
+    initialise(*shape, four_cells<Dim>(), points);
     for (int c = 0; c < power(2, Dim); ++c)
-      for (int a = 0; a < Dim; ++a) points.of_scheme[c * Dim + a][0] = corner(c)[a];
+      for (int a = 0; a < Dim; ++a) points.scheme_data[c * Dim + a][0] = corner(c)[a];
     stencils.resize(1, shape->max_nodes());
     shape->evaluate(four_cells<Dim>(), points, {0, 1}, stencils);
   }
@@ -52,11 +52,11 @@ struct FreeDomain {
     const Grid<Dim> grid = four_cells<Dim>();
     for (int e = 0; e < group.count; ++e) {
       const Vec<Dim> x = grid.position(grid.index(group.node_of(e, 0)));
-      Vec<Dim> slope;
-      for (int a = 0; a < Dim; ++a) slope[a] = group.slope_of(e, a, 0);
+      Vec<Dim> gradient;
+      for (int a = 0; a < Dim; ++a) gradient[a] = group.gradient_of(e, a, 0);
       std::get<0>(all) += group.value_of(e, 0);
       std::get<1>(all) += group.value_of(e, 0) * x;
-      std::get<2>(all) += x * slope.transpose();
+      std::get<2>(all) += x * gradient.transpose();
     }
     return all;
   }
@@ -179,18 +179,18 @@ double greatest_reach(const std::string& name, double limit) {
   const auto shape = scheme<2>(name, {{"domain_limit", limit}});
   Stencils<2> stencils;
   stencils.resize(1, shape->max_nodes());
-  Columns of_nodes{0};
+  Columns node_data{0};
   const Grid<2> grid = four_cells<2>();
-  evaluate_anew(*shape, grid, points, of_nodes, stencils);
+  evaluate_anew(*shape, grid, points, node_data, stencils);
   double reach = 0.0;
-  Vec<2> slopes = Vec<2>::Zero();
+  Vec<2> gradients = Vec<2>::Zero();
   const StencilGroup<2>& group = stencils.group_of(0);
   for (int e = 0; e < group.count; ++e) {
     if (group.value_of(e, 0) > 1e-12)
       reach = std::max(reach, std::abs(grid.position(grid.index(group.node_of(e, 0)))[0] - 2.0));
-    slopes[0] += group.slope_of(e, 0, 0) * grid.position(grid.index(group.node_of(e, 0)))[0];
+    gradients[0] += group.gradient_of(e, 0, 0) * grid.position(grid.index(group.node_of(e, 0)))[0];
   }
-  EXPECT_NEAR(slopes[0], 1.0, 1e-13);
+  EXPECT_NEAR(gradients[0], 1.0, 1e-13);
   return reach;
 }
 

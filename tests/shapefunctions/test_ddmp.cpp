@@ -12,7 +12,7 @@ struct Block {
   Grid<Dim> grid = four_cells<Dim>();
   Points<Dim> points;
   std::shared_ptr<const ShapeFunction<Dim>> shape;
-  Columns of_nodes{0};
+  Columns node_data{0};
   double low;
 
   /// @param from where the block begins along the first axis [m]
@@ -21,9 +21,9 @@ struct Block {
     cells.fill(4);
     fill<Dim>(points, cells, 1.0, 2, 1.0, 0, [](const Vec<Dim>&) { return true; });
     for (Index p = 0; p < points.size(); ++p) points.position[0][p] += from;
-    of_nodes = Columns(shape->node_columns());
-    of_nodes.resize(grid.node_count());
-    shape->prepare(grid, points, of_nodes);
+    node_data = Columns(shape->node_data_size());
+    node_data.resize(grid.node_count());
+    shape->prepare(grid, points, node_data);
   }
 
   [[nodiscard]] std::vector<Weight<Dim>> weights_at(const Vec<Dim>& x) const {
@@ -32,14 +32,14 @@ struct Block {
     for (int a = 0; a < Dim; ++a) one.position[a][0] = x[a];
     Stencils<Dim> stencils;
     stencils.resize(1, shape->max_nodes());
-    stencils.of_nodes = &of_nodes;
+    stencils.node_data = &node_data;
     shape->evaluate(grid, one, {0, 1}, stencils);
     std::vector<Weight<Dim>> all(static_cast<std::size_t>(grid.node_count()), Weight<Dim>::Zero());
     const StencilGroup<Dim>& group = stencils.group_of(0);
     for (int e = 0; e < group.count; ++e) {
       Weight<Dim>& w = all[static_cast<std::size_t>(group.node_of(e, 0))];
       w[0] += group.value_of(e, 0);
-      for (int a = 0; a < Dim; ++a) w[1 + a] += group.slope_of(e, a, 0);
+      for (int a = 0; a < Dim; ++a) w[1 + a] += group.gradient_of(e, a, 0);
     }
     return all;
   }
@@ -69,46 +69,46 @@ TEST(Ddmp, HasAGradientThatIsContinuousAcrossFaces) {
 TEST(Ddmp, TakesTheMeshsAverageAroundANodeInTheInterior) {
   const Block<2> block;
   const auto w = block.weights_at({2.0, 2.0});
-  const auto slope = [&](Index i, Index j) { return w[static_cast<std::size_t>(block.grid.node({i, j}))][1]; };
+  const auto gradient = [&](Index i, Index j) { return w[static_cast<std::size_t>(block.grid.node({i, j}))][1]; };
   for (const Index side : {-1, 1}) {
-    EXPECT_NEAR(slope(6 + side, 6), side * 0.5 * 4.0 / 6.0, 1e-14);
-    EXPECT_NEAR(slope(6 + side, 7), side * 0.5 / 6.0, 1e-14);
+    EXPECT_NEAR(gradient(6 + side, 6), side * 0.5 * 4.0 / 6.0, 1e-14);
+    EXPECT_NEAR(gradient(6 + side, 7), side * 0.5 / 6.0, 1e-14);
   }
-  EXPECT_NEAR(slope(6, 6), 0.0, 1e-14);
+  EXPECT_NEAR(gradient(6, 6), 0.0, 1e-14);
 }
 
 /// In a cell's middle the mean of four nodes' averages, and α of the hats' own gradient.
 TEST(Ddmp, MixesBothGradientsByAlphaInTheMiddleOfACell) {
-  const auto slope = [](double alpha) {
+  const auto gradient = [](double alpha) {
     const Block<2> block(alpha);
     const auto w = block.weights_at({1.5, 1.5});
     return Vec<2>(w[static_cast<std::size_t>(block.grid.node({6, 6}))][1],
                   w[static_cast<std::size_t>(block.grid.node({7, 6}))][1]);
   };
-  EXPECT_LT((slope(1.0) - Vec<2>(0.5, 0.0)).norm(), 1e-14) << "the hats' own";
+  EXPECT_LT((gradient(1.0) - Vec<2>(0.5, 0.0)).norm(), 1e-14) << "the hats' own";
   const double mean = 0.25 * 0.5 * (4.0 + 1.0) / 6.0; // from each of two nodes, in both of their rows
-  EXPECT_LT((slope(0.0) - Vec<2>(mean, mean)).norm(), 1e-14);
-  EXPECT_LT((slope(0.5) - 0.5 * (slope(0.0) + slope(1.0))).norm(), 1e-14);
+  EXPECT_LT((gradient(0.0) - Vec<2>(mean, mean)).norm(), 1e-14);
+  EXPECT_LT((gradient(0.5) - 0.5 * (gradient(0.0) + gradient(1.0))).norm(), 1e-14);
 }
 
 /// Forces must not go where no mass is: momentum would be lost there.
 template <int Dim>
-void nodes_with_a_slope_have_mass(double from) {
+void nodes_with_a_gradient_have_mass(double from) {
   const Block<Dim> block(0.5, from);
-  std::vector<double> mass(static_cast<std::size_t>(block.grid.node_count()), 0.0), slope = mass;
+  std::vector<double> mass(static_cast<std::size_t>(block.grid.node_count()), 0.0), gradient = mass;
   for (Index p = 0; p < block.points.size(); ++p) {
     const auto w = block.weights_at(block.points.position_of(p));
     for (std::size_t i = 0; i < w.size(); ++i) {
       mass[i] += w[i][0];
-      slope[i] += w[i].template tail<Dim>().norm();
+      gradient[i] += w[i].template tail<Dim>().norm();
     }
   }
   double outermost = 0.0;
   for (std::size_t i = 0; i < mass.size(); ++i) {
     if (mass[i] == 0.0) {
-      EXPECT_EQ(slope[i], 0.0);
+      EXPECT_EQ(gradient[i], 0.0);
     } else {
-      outermost = std::max(outermost, slope[i] / mass[i]);
+      outermost = std::max(outermost, gradient[i] / mass[i]);
     }
   }
   EXPECT_LT(outermost, 20.0) << "and no more than a share that goes with the mass";
@@ -116,16 +116,16 @@ void nodes_with_a_slope_have_mass(double from) {
 
 TEST(Ddmp, GivesForcesOnlyToNodesThatHaveMass) {
   for (const double from : {0.0, 0.2, 0.24}) {
-    nodes_with_a_slope_have_mass<2>(from);
-    nodes_with_a_slope_have_mass<3>(from);
+    nodes_with_a_gradient_have_mass<2>(from);
+    nodes_with_a_gradient_have_mass<3>(from);
   }
 }
 
 /// A point that enters an empty cell changes the gradients of the others smoothly.
 TEST(Ddmp, FillsACellSmoothly) {
-  const auto slopes = [](double from) { return Block<2>(0.5, from).weights_at({1.3, 2.2}); };
+  const auto gradients = [](double from) { return Block<2>(0.5, from).weights_at({1.3, 2.2}); };
   const double edge = 0.25; // the outermost points stand on a face
-  EXPECT_LT(difference<2>(slopes(edge - 1e-8), slopes(edge + 1e-8)), 1e-6);
+  EXPECT_LT(difference<2>(gradients(edge - 1e-8), gradients(edge + 1e-8)), 1e-6);
 }
 
 } // namespace

@@ -43,19 +43,19 @@ void keeps_the_contract() {
   for (Index p = 0; p < points.size(); ++p) {
     double one = 0.0;
     Vec<Dim> x = Vec<Dim>::Zero();
-    Mat<Dim> gradient = Mat<Dim>::Zero();
+    Mat<Dim> sum_of_gradients = Mat<Dim>::Zero();
     const StencilGroup<Dim>& group = stencils.group_of(p);
     for (int e = 0; e < group.count; ++e) {
       const Vec<Dim> x_i = grid.position(grid.index(group.node_of(e, p % pack_size)));
-      Vec<Dim> slope;
-      for (int a = 0; a < Dim; ++a) slope[a] = group.slope_of(e, a, p % pack_size);
+      Vec<Dim> gradient;
+      for (int a = 0; a < Dim; ++a) gradient[a] = group.gradient_of(e, a, p % pack_size);
       one += group.value_of(e, p % pack_size);
       x += group.value_of(e, p % pack_size) * x_i;
-      gradient += x_i * slope.transpose();
+      sum_of_gradients += x_i * gradient.transpose();
     }
     EXPECT_NEAR(one, 1.0, 1e-14);
     EXPECT_LT((x - points.position_of(p)).norm(), 1e-14);
-    EXPECT_LT((gradient - Mat<Dim>::Identity()).norm(), 1e-13);
+    EXPECT_LT((sum_of_gradients - Mat<Dim>::Identity()).norm(), 1e-13);
   }
 }
 

@@ -53,13 +53,13 @@ TEST_P(LeastBias, LinearFieldsAreExactEverywhere) {
     for (const double r : {0.0, 1e-9, 1e-5, 0.01, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.99, 1 - 1e-9, 1.0})
       for (const double x : {r, last - 5 + r}) {
         const auto N = weights<2>("lme", {x, 1.3}, 0.25, Mat<2>::Identity(), grid, {{"gamma", GetParam()}});
-        double mean = 0.0, slope = 0.0;
+        double mean = 0.0, gradient = 0.0;
         for (Index i = 0; i < grid.node_count(); ++i) {
           mean += N[static_cast<std::size_t>(i)][0] * grid.position(grid.index(i))[0];
-          slope += N[static_cast<std::size_t>(i)][1] * grid.position(grid.index(i))[0];
+          gradient += N[static_cast<std::size_t>(i)][1] * grid.position(grid.index(i))[0];
         }
         EXPECT_NEAR(mean, x, 2e-11) << x << ", last wall " << last; // a point on a wall is drawn to this side by 1e-11
-        EXPECT_NEAR(slope, 1.0, 1e-12) << x << ", last wall " << last;
+        EXPECT_NEAR(gradient, 1.0, 1e-12) << x << ", last wall " << last;
       }
   }
 }

@@ -14,7 +14,7 @@ Grid<2> between_walls() {
   return grid;
 }
 
-/// N, and slope along x, by node along x, summed over y.
+/// N, and gradient along x, by node along x, summed over y.
 std::array<Vec<2>, 13> along_x(const std::string& name, double x, const Grid<2>& grid) {
   const std::vector<Weight<2>> all = weights<2>(name, {x, 2.2}, 0.5, Mat<2>::Identity(), grid);
   std::array<Vec<2>, 13> sums;
@@ -43,7 +43,7 @@ TEST_P(EverySchemeThatEndsAtWalls, GivesNothingToNodesBehindAWallAndNoNegativeWe
 }
 
 /// Continuity where the modified functions meet the others.
-TEST_P(EverySchemeThatEndsAtWalls, HasContinuousSlopesUpToTheWall) {
+TEST_P(EverySchemeThatEndsAtWalls, HasContinuousGradientsUpToTheWall) {
   const double step = 1e-6;
   for (double x = 1.0 + step; x < 3.0; x += 0.0625) {
     const auto before = along_x(GetParam(), x - step / 2, between_walls());
@@ -58,7 +58,7 @@ TEST_P(EverySchemeThatEndsAtWalls, MarksAPointBehindAWallAsLost) {
     for (const Vec<2>& N : along_x(GetParam(), x, between_walls())) EXPECT_EQ(N.norm(), 0.0);
 }
 
-/// The slope of the motion between a wall and the first free row is that of the rows.
+/// The gradient of the motion between a wall and the first free row is that of the rows.
 TEST_P(EverySchemeThatEndsAtWalls, StretchesTheLastCellAsItsTwoRowsSay) {
   const auto N = along_x(GetParam(), 1.0, between_walls());
   EXPECT_NEAR(N[5][1], -1.0, 1e-10);

@@ -11,7 +11,7 @@ public:
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
   [[nodiscard]] double density(std::span<const double>) const override { return 1000.0; }
   void integrate(const MaterialBatch&, MaterialReport&) const override {}
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {}; }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override { return {}; }
 
 private:
   std::vector<StateVariable> states_{

@@ -95,7 +95,7 @@ inline void expect_no_faster_wave(const std::shared_ptr<const Material>& law, un
   for (int trial = 0; trial < 2000; ++trial) {
     LawBench bench = one_point(law, -2e4 * Sym<double>::identity());
     strained(bench, 0.05 * random_rate(random));
-    const double c = bench.law->survey(bench.batch).wave_speed;
+    const double c = bench.law->assess(bench.batch).wave_speed;
     const Vec<3> n = Vec<3>(unit(random), unit(random), unit(random)).normalized();
     const Sym<double> D = to_sym((trial % 2 ? 1e-7 : -1e-7) * n * n.transpose()), before = bench.stress_of(0);
     std::vector<double> state;

@@ -12,14 +12,14 @@ namespace riedel::test {
 
 /// Stencils of points that have just been put where they are.
 template <int Dim>
-void evaluate_anew(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points, Columns& of_nodes,
+void evaluate_anew(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points, Columns& node_data,
                    Stencils<Dim>& stencils) {
-  start(scheme, grid, points);
-  if (scheme.node_columns() > 0) {
-    of_nodes = Columns(scheme.node_columns());
-    of_nodes.resize(grid.node_count());
-    scheme.prepare(grid, points, of_nodes);
-    stencils.of_nodes = &of_nodes;
+  initialise(scheme, grid, points);
+  if (scheme.node_data_size() > 0) {
+    node_data = Columns(scheme.node_data_size());
+    node_data.resize(grid.node_count());
+    scheme.prepare(grid, points, node_data);
+    stencils.node_data = &node_data;
   }
   scheme.evaluate(grid, points, {0, points.size()}, stencils);
 }

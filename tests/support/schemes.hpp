@@ -35,8 +35,8 @@ inline double width_of(const std::string& name) {
   }
   Stencils<2> stencils;
   stencils.resize(places, shape->max_nodes());
-  Columns of_nodes{0};
-  evaluate_anew(*shape, grid, points, of_nodes, stencils);
+  Columns node_data{0};
+  evaluate_anew(*shape, grid, points, node_data, stencils);
   double sum = 0.0;
   for (Index p = 0; p < places; ++p) {
     const StencilGroup<2>& group = stencils.group_of(p);

@@ -79,12 +79,12 @@ bool slopes_as_hats_in_the_middle(const std::string& name) {
   Points<2> points = one.state().bodies[0].points;
   Stencils<2> stencils;
   stencils.resize(points.size(), shape->max_nodes());
-  Columns of_nodes{0};
-  evaluate_anew(*shape, one.state().grid, points, of_nodes, stencils);
+  Columns node_data{0};
+  evaluate_anew(*shape, one.state().grid, points, node_data, stencils);
   const Index p = 4; // of two in a row, in the third row of five
   double absolute = 0.0;
   const StencilGroup<2>& group = stencils.group_of(p);
-  for (int e = 0; e < group.count; ++e) absolute += std::abs(group.slope_of(e, 1, p % pack_size));
+  for (int e = 0; e < group.count; ++e) absolute += std::abs(group.gradient_of(e, 1, p % pack_size));
   return std::abs(absolute * one.state().grid.cell[1] - 2.0) < 1e-9;
 }
 

@@ -160,14 +160,14 @@ std::vector<std::vector<Moment>> point_curves(double cohesion) {
     strain += stage;
     std::vector<Moment>& curve = curves.emplace_back();
     const auto stretch = [](int a, double target) {
-      return Condition{"stretch", [a](const LawPoint& q) { return q.F(a, a); }, target, false};
+      return Condition{"stretch", [a](const MaterialPoint& q) { return q.F(a, a); }, target, false};
     };
     const auto shear = [](int i, int j) {
-      return Condition{"shear", [i, j](const LawPoint& q) { return q.F(i, j); }, 0.0, false};
+      return Condition{"shear", [i, j](const MaterialPoint& q) { return q.F(i, j); }, 0.0, false};
     };
-    const Leg leg{.conditions = {stretch(0, 1.0 - strain), stretch(1, 1.0), stretch(2, 1.0), shear(0, 1), shear(0, 2),
-                                 shear(1, 2)}};
-    EXPECT_TRUE(driver.follow(leg, [&](const LawPoint& q) {
+    const LoadStep leg{.conditions = {stretch(0, 1.0 - strain), stretch(1, 1.0), stretch(2, 1.0), shear(0, 1),
+                                      shear(0, 2), shear(1, 2)}};
+    EXPECT_TRUE(driver.follow(leg, [&](const MaterialPoint& q) {
       curve.push_back({1.0 - q.F(0, 0), -q.stress.m[0]});
       return true;
     }));

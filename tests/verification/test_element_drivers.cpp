@@ -23,7 +23,7 @@ ElementCurve carry_out(const std::string& test, const std::string& driver, const
   file.override_with("driver.kind=" + driver);
   for (const std::string& setting : settings) file.override_with(setting);
   const Values values = element_case(file, catalogue()).values;
-  const ElementWatch watch{.at_row = [](const ElementRow&, const LawPoint&) {}, .stop = [] { return false; }};
+  const ElementWatch watch{.at_row = [](const ElementRow&, const MaterialPoint&) {}, .stop = [] { return false; }};
   return element_driver(values).run(values, catalogue(), watch);
 }
 

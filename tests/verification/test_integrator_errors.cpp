@@ -30,7 +30,7 @@ public:
   }
   [[nodiscard]] std::span<const StateVariable> states() const override { return sand_.states(); }
   [[nodiscard]] double density(std::span<const double> state) const override { return sand_.density(state); }
-  [[nodiscard]] Survey survey(const MaterialBatch& batch) const override { return sand_.survey(batch); }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch& batch) const override { return sand_.assess(batch); }
 
   mutable std::int64_t count = 0;
 

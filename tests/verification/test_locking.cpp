@@ -156,7 +156,7 @@ protected:
   void SetUp() override { omp_set_num_threads(1); } // too small to share
   /// Gradients that are averages over neighbouring cells: such a scheme locks less by itself, and with F-bar it is too
   /// soft.
-  static bool locks() { return scheme<2>(GetParam())->slopes_follow_weights(); }
+  static bool locks() { return scheme<2>(GetParam())->gradients_follow_weights(); }
   static void print(const char* order, int cells, const Strip& locked, const Strip& freed) {
     std::printf("%-8s %s %d cells: modulus %7.3f without, %6.3f with F-bar; scatter %8.4f, %.1e\n", GetParam().c_str(),
                 order, cells, locked.modulus, freed.modulus, locked.scatter, freed.scatter);

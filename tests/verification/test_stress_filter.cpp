@@ -48,7 +48,7 @@ class StressFilterTest : public TransferTest {};
 
 std::vector<std::string> served_schemes() {
   std::vector<std::string> names = scheme_names();
-  std::erase_if(names, [](const std::string& name) { return !scheme<2>(name)->slopes_follow_weights(); });
+  std::erase_if(names, [](const std::string& name) { return !scheme<2>(name)->gradients_follow_weights(); });
   return names;
 }
 
@@ -138,8 +138,8 @@ void expect_a_self_adjoint_contraction(const std::string& name) {
   std::uniform_real_distribution<double> between(-1.0, 1.0);
   FieldRows a = body.fields, b = body.fields;
   for (Index p = 0; p < body.points.size(); ++p) {
-    a[p] = Few<8>(between(random));
-    b[p] = Few<8>(between(random));
+    a[p] = ShortVector<8>(between(random));
+    b[p] = ShortVector<8>(between(random));
     body.points.volume[0][p] *= 1.0 + 0.3 * between(random);
   }
   const auto rest = [&](const FieldRows& of) {
@@ -206,7 +206,7 @@ std::vector<double> stresses(const std::string& test, const std::string& rate) {
         std::string("loading.final_strain=0.01"), std::string("loading.speed=0.05")})
     file.override_with(setting);
   const Values values = element_case(file, catalogue()).values;
-  const ElementWatch watch{.at_row = [](const ElementRow&, const LawPoint&) {}, .stop = [] { return false; }};
+  const ElementWatch watch{.at_row = [](const ElementRow&, const MaterialPoint&) {}, .stop = [] { return false; }};
   std::vector<double> all;
   for (const ElementRow& row : element_driver(values).run(values, catalogue(), watch).rows) all.push_back(row.sigma[0]);
   return all;
@@ -258,8 +258,7 @@ TEST(StressFilter, IsRefusedWithRatesThatDoNotFit) {
   EXPECT_EQ(refusal({.stress_rate = 10.0, .volume_rate = 1.0}), "no error");
   EXPECT_THAT(refusal({.stress_rate = 10.0, .volume_rate = 2.0}),
               testing::HasSubstr("is over a tenth of that for stresses"));
-  EXPECT_THAT(refusal({.stress_rate = 10.0}, "ddmp"),
-              testing::HasSubstr("slopes are not the gradients of its weights"));
+  EXPECT_THAT(refusal({.stress_rate = 10.0}, "ddmp"), testing::HasSubstr("gradients are not those of its weights"));
   EXPECT_THAT(
       [] {
         (void)biaxial_values({"scheme=ddmp", "time.stress_filter=1e4"});

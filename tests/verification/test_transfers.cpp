@@ -153,7 +153,7 @@ TEST_P(TransferTest, TheStrongerTheFilterTheSoonerABarComesToRest) {
       left[chosen.label] = energy_of_bar(GetParam(), chosen, order.step, 10.0);
       std::printf("%-7s %-5s %-10s %8.4f\n", GetParam().c_str(), order.name, chosen.label.c_str(), left[chosen.label]);
     }
-    const bool wide = is_wide(GetParam()) || !scheme<2>(GetParam())->slopes_follow_weights(); // they smooth more
+    const bool wide = is_wide(GetParam()) || !scheme<2>(GetParam())->gradients_follow_weights(); // they smooth more
     for (const char* one : {"flip", "apic", "tpic"})
       if (left.contains(one)) { EXPECT_GT(left[one], wide ? 0.96 : 0.99) << one << ", " << order.name; }
     EXPECT_LT(left["pic"], 0.01);

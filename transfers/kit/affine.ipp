@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/step/group_walk.hpp"
+#include "core/step/kernels/point_contributions.hpp"
 #include "core/step/kernels/point_motion.hpp"
-#include "core/step/kernels/point_shares.hpp"
 #include "transfers/kit/affine.hpp"
 #include "transfers/kit/affine_scatter.hpp"
 
@@ -11,25 +11,25 @@ namespace riedel {
 /// Working space of a slab.
 template <int Dim>
 struct AffineSpace {
-  Shares<Dim> shares;
+  PointContributions<Dim> contributions;
   AffineShares<Dim> affine;
 };
 
 /// The first sums of a step: mass and momentum, which are the values, or with both the forces as well.
-template <Use use, class Slope, int Dim>
+template <Use use, class Gradient, int Dim>
 void sum_affine(State<Dim>& state, const Model<Dim>& model) {
   const auto add = [&](const Points<Dim>& points, const SlabGroup<Dim>& group, AffineSpace<Dim>& space) {
     const Index p = group.first;
     const Moments<Dim> moments =
         moments_of<Dim>(group.stencil, state.grid, points, p, state.transfer_room.of_this_thread());
-    put_mass_and_momentum(points, p, space.shares);
-    space.affine.mass = space.shares.mass;
-    space.affine.put_slope(Pack::load(points.mass[0] + p),
-                           Slope::slope(load_matrix<Dim>(points.transfer_data, p), moments.second));
+    mass_and_momentum(points, p, space.contributions);
+    space.affine.mass = space.contributions.mass;
+    space.affine.put_gradient(Pack::load(points.mass[0] + p),
+                              Gradient::gradient(load_matrix<Dim>(points.transfer_data, p), moments.second));
     scatter_affine(moments.first, group.lanes, space.affine, state.nodes);
     if constexpr (use == Use::both) {
-      put_forces(points, p, model.confining_pressure, space.shares);
-      scatter<Use::slopes>(group, space.shares, state.nodes);
+      internal_forces(points, p, model.confining_pressure, space.contributions);
+      scatter<Use::gradients>(group, space.contributions, state.nodes);
     }
   };
   sum_from_zero(state, model, [&](Body<Dim>& body) {
@@ -39,62 +39,62 @@ void sum_affine(State<Dim>& state, const Model<Dim>& model) {
   });
 }
 
-/// v_p and what is kept of its slope for eight points, from the grid; they move, too.
-template <class Slope, int Dim, class Motion>
+/// v_p and what is kept of its gradient for eight points, from the grid; they move, too.
+template <class Gradient, int Dim, class Motion>
 void take_up_affine(const StencilGroup<Dim>& stencil, State<Dim>& state, Points<Dim>& points, Index p,
                     const Motion& motion, Gathered<Dim>& sum) {
   const Moments<Dim> moments = moments_of<Dim>(stencil, state.grid, points, p, state.transfer_room.of_this_thread());
-  const PackMatrix<Dim> columns = Slope::gather(stencil, moments.first, state.nodes, sum);
+  const PackMatrix<Dim> columns = Gradient::gather(stencil, moments.first, state.nodes, sum);
   const NewMotion<Dim> taken = motion(sum, points, p);
   for (int i = 0; i < Dim; ++i)
     for (int a = 0; a < Dim; ++a) columns[a][i].store(points.transfer_data[i * Dim + a] + p);
   take_up<Dim>(taken, points, p);
 }
 
-template <int Dim, class Slope, class Rule>
-void AffineTransfer<Dim, Slope, Rule>::map_mass_and_momentum(State<Dim>& state, const Model<Dim>& model) const {
-  sum_affine<Use::values, Slope>(state, model);
+template <int Dim, class Gradient, class Rule>
+void AffineTransfer<Dim, Gradient, Rule>::map_mass_and_momentum(State<Dim>& state, const Model<Dim>& model) const {
+  sum_affine<Use::weights, Gradient>(state, model);
 }
 
-template <int Dim, class Slope, class Rule>
-void AffineTransfer<Dim, Slope, Rule>::points_to_grid(State<Dim>& state, const Model<Dim>& model) const {
-  sum_affine<Use::both, Slope>(state, model);
+template <int Dim, class Gradient, class Rule>
+void AffineTransfer<Dim, Gradient, Rule>::points_to_grid(State<Dim>& state, const Model<Dim>& model) const {
+  sum_affine<Use::both, Gradient>(state, model);
 }
 
-template <int Dim, class Slope, class Rule>
-void AffineTransfer<Dim, Slope, Rule>::move_points(State<Dim>& state, const Model<Dim>& model, double dt) const {
+template <int Dim, class Gradient, class Rule>
+void AffineTransfer<Dim, Gradient, Rule>::move_points(State<Dim>& state, const Model<Dim>& model, double dt) const {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
   const auto motion = rule_.over(dt);
   for_each_group(state, model, [&](Body<Dim>& body, const StencilGroup<Dim>& stencil, Index p) {
     Gathered<Dim> sum;
-    take_up_affine<Slope>(stencil, state, body.points, p, motion, sum);
+    take_up_affine<Gradient>(stencil, state, body.points, p, motion, sum);
   });
 }
 
-template <int Dim, class Slope, class Rule>
-void AffineTransfer<Dim, Slope, Rule>::grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) const {
+template <int Dim, class Gradient, class Rule>
+void AffineTransfer<Dim, Gradient, Rule>::grid_to_points(State<Dim>& state, const Model<Dim>& model, double dt) const {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
   const auto motion = rule_.over(dt);
   for_each_group(state, model, [&](Body<Dim>& body, const StencilGroup<Dim>& stencil, Index p) {
     Gathered<Dim> sum;
-    take_up_affine<Slope>(stencil, state, body.points, p, motion, sum);
-    if constexpr (!Slope::keeps_gradient) gather<Use::slopes>(stencil, state.nodes.motion, sum);
+    take_up_affine<Gradient>(stencil, state, body.points, p, motion, sum);
+    if constexpr (!Gradient::keeps_gradient) gather<Use::gradients>(stencil, state.nodes.motion, sum);
     deform(sum, body.points, p, model, dt);
   });
 }
 
-template <int Dim, class Slope, class Rule>
-void AffineTransfer<Dim, Slope, Rule>::remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) const {
+template <int Dim, class Gradient, class Rule>
+void AffineTransfer<Dim, Gradient, Rule>::remap_velocity(State<Dim>& state, const Model<Dim>& model, double dt) const {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);
   const auto motion = rule_.over(dt);
   clear_momentum(state.nodes);
-  const auto remap = [&](Body<Dim>& body, const SlabGroup<Dim>& group, AffineShares<Dim>& shares) {
+  const auto remap = [&](Body<Dim>& body, const SlabGroup<Dim>& group, AffineShares<Dim>& contributions) {
     Points<Dim>& points = body.points;
     const Index p = group.first;
     const Moments<Dim> moments =
         moments_of<Dim>(group.stencil, state.grid, points, p, state.transfer_room.of_this_thread());
     Gathered<Dim> sum;
-    const PackMatrix<Dim> columns = Slope::gather(group.stencil, moments.first, state.nodes, sum);
+    const PackMatrix<Dim> columns = Gradient::gather(group.stencil, moments.first, state.nodes, sum);
     const NewMotion<Dim> taken = motion(sum, points, p);
     keep<Dim>(taken, body, group);
     PackMatrix<Dim> kept;
@@ -103,14 +103,14 @@ void AffineTransfer<Dim, Slope, Rule>::remap_velocity(State<Dim>& state, const M
         kept[i][a] = columns[a][i];
         store_lanes(points.transfer_data[i * Dim + a] + p, kept[i][a], group.lanes);
       }
-    shares.mass.put(momenta<Dim>(points, p, taken.velocity));
-    shares.put_slope(Pack::load(points.mass[0] + p), Slope::slope(kept, moments.second));
-    scatter_affine(moments.first, group.lanes, shares, state.nodes);
+    contributions.mass.put(momenta<Dim>(points, p, taken.velocity));
+    contributions.put_gradient(Pack::load(points.mass[0] + p), Gradient::gradient(kept, moments.second));
+    scatter_affine(moments.first, group.lanes, contributions, state.nodes);
   };
   for (Body<Dim>& body : state.bodies)
     add_in_slab_order<AffineShares<Dim>>(
         state, model, body,
-        [&](const SlabGroup<Dim>& group, AffineShares<Dim>& shares) { remap(body, group, shares); });
+        [&](const SlabGroup<Dim>& group, AffineShares<Dim>& contributions) { remap(body, group, contributions); });
 }
 
 } // namespace riedel

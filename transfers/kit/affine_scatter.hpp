@@ -9,16 +9,16 @@ namespace riedel {
 /// What each of eight points gives to a node: N times its mass and momentum, and N (x_i − x_p)_a times m_p C_p e_a.
 template <int Dim>
 struct AffineShares {
-  RowsOfFour mass; ///< rows of NodeSums::MassRecord, as are the others
-  std::array<RowsOfFour, Dim> slope;
+  Transpose8x4 mass; ///< rows of NodeSums::MassRecord, as are the others
+  std::array<Transpose8x4, Dim> gradient;
 
   /// m_p C_p e_a
-  void put_slope(const Pack& m, const PackMatrix<Dim>& C) {
+  void put_gradient(const Pack& m, const PackMatrix<Dim>& C) {
     for (int a = 0; a < Dim; ++a) {
       std::array<Pack, 4> columns;
       columns.fill(Pack(0.0));
       for (int i = 0; i < Dim; ++i) columns[i] = m * C[i][a];
-      slope[a].put(columns);
+      gradient[a].put(columns);
     }
   }
 };
@@ -26,7 +26,7 @@ struct AffineShares {
 /// (mv)_i += N_ip m_p (v_p + C_p (x_i − x_p)) and m_i += N_ip m_p, for the lanes of a patch of first moments.
 template <std::size_t Shape, int Dim>
 [[gnu::always_inline]] inline void scatter_affine_patch(PatchLane<Shape, Dim> lane, Range lanes,
-                                                        const AffineShares<Dim>& shares, NodeSums<Dim>* nodes) {
+                                                        const AffineShares<Dim>& contributions, NodeSums<Dim>* nodes) {
   constexpr int entries = PatchLane<Shape, Dim>::entries;
   using MassRecord = typename NodeSums<Dim>::MassRecord;
   for (Index k = lanes.begin; k < lanes.end;) {
@@ -35,12 +35,12 @@ template <std::size_t Shape, int Dim>
     first.for_each_node(nodes,
                         [&](int e, const NodeSums<Dim>& node) { sum[e] = MassRecord::load(node.momentum.data()); });
     do {
-      const MassRecord of_mass = MassRecord::load(shares.mass.row(k));
-      std::array<MassRecord, Dim> of_slope;
-      for (int a = 0; a < Dim; ++a) of_slope[a] = MassRecord::load(shares.slope[a].row(k));
+      const MassRecord of_mass = MassRecord::load(contributions.mass.row(k));
+      std::array<MassRecord, Dim> of_gradient;
+      for (int a = 0; a < Dim; ++a) of_gradient[a] = MassRecord::load(contributions.gradient[a].row(k));
       for (int e = 0; e < entries; ++e) {
         sum[e] += lane.value_of(e) * of_mass;
-        for (int a = 0; a < Dim; ++a) sum[e] += lane.slope_of(e, a) * of_slope[a];
+        for (int a = 0; a < Dim; ++a) sum[e] += lane.gradient_of(e, a) * of_gradient[a];
       }
       lane.to_next_lane();
     } while (++k < lanes.end && *lane.base == *first.base);
@@ -48,15 +48,15 @@ template <std::size_t Shape, int Dim>
   }
 }
 
-/// Adds the shares of the lanes to the nodes.
+/// Adds the contributions of the lanes to the nodes.
 template <int Dim>
-void scatter_affine(const StencilEntries<Dim>& moments, Range lanes, const AffineShares<Dim>& shares,
+void scatter_affine(const StencilEntries<Dim>& moments, Range lanes, const AffineShares<Dim>& contributions,
                     Nodes<Dim>& nodes) {
   const StencilEntries<Dim> stencil = moments;
   with_shape(stencil.shape, [&](auto shape) {
     PatchLane<shape, Dim> patch(stencil, lanes.begin);
     for (int n = 0; n < stencil.count; n += patch.entries, patch.to_next_patch())
-      scatter_affine_patch(patch, lanes, shares, nodes.sums.data());
+      scatter_affine_patch(patch, lanes, contributions, nodes.sums.data());
   });
 }
 

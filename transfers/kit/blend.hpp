@@ -22,7 +22,7 @@ struct Blend {
   }
 };
 
-/// v_p ← Σ N_ip v_i: PIC, for transfers that keep a slope.
+/// v_p ← Σ N_ip v_i: PIC, for transfers that keep a gradient.
 template <int Dim>
 struct TakeFromGrid {
   [[nodiscard]] auto over(double dt) const {

@@ -37,7 +37,7 @@ template <int Dim>
 Moments<Dim> moments_of(const StencilEntries<Dim>& stencils, const Grid<Dim>& grid, const Points<Dim>& points, Index p,
                         double* room) {
   Moments<Dim> moments{.first = stencils, .second = {}};
-  moments.first.slope = room;
+  moments.first.gradient = room;
   PackMatrix<Dim>& D = moments.second;
   for (auto& line : D) line.fill(Pack(0.0));
   const Counts<Dim> strides = grid.strides();
@@ -49,7 +49,7 @@ Moments<Dim> moments_of(const StencilEntries<Dim>& stencils, const Grid<Dim>& gr
         const Pack N = Pack::load(stencils.value + entry * pack_size);
         for (int a = 0; a < Dim; ++a) {
           const Pack moment = N * r[a];
-          moments.first.set_slope(entry, a, moment);
+          moments.first.set_gradient(entry, a, moment);
           for (int b = 0; b <= a; ++b) D[a][b] += moment * r[b];
         }
       }

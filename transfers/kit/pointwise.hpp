@@ -1,4 +1,4 @@
-/// Transfers without a slope: a point gives its nodes N_ip m_p v_p, and takes its new velocity by a rule for eight
+/// Transfers without a gradient: a point gives its nodes N_ip m_p v_p, and takes its new velocity by a rule for eight
 /// points. Their loops are in pointwise.ipp, to be included in one source file for each transfer.
 #pragma once
 

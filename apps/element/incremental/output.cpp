@@ -49,7 +49,7 @@ void IncrementalOutput::list_of_sand(const Material& law) {
     if (c != e && (h < 0 || c < h || c >= h + 6)) columns_.push_back({c});
 }
 
-void IncrementalOutput::add(const LawPoint& point) {
+void IncrementalOutput::add(const MaterialPoint& point) {
   std::string text;
   const auto print = [&](double x) {
     std::array<char, 32> buffer{};

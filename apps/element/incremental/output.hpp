@@ -17,7 +17,7 @@ public:
   /// @param material the keys of [material]
   IncrementalOutput(const std::filesystem::path& path, const Material& law, const PoreWater& water,
                     const Values& material);
-  void add(const LawPoint& point);
+  void add(const MaterialPoint& point);
 
 private:
   struct Column {

@@ -57,7 +57,7 @@ template <int Dim>
 void RigidBody<Dim>::follow(const Grid<Dim>& grid, const ShapeFunction<Dim>& scheme) {
   std::vector<Index>& nodes = this->nodes_;
   nodes.clear();
-  start(scheme, grid, points_);
+  initialise(scheme, grid, points_);
   scheme.evaluate(grid, points_, {0, points_.size()}, stencils_);
   for (Index p = 0; p < points_.size(); ++p) {
     const StencilGroup<Dim>& group = stencils_.group_of(p);

@@ -8,8 +8,8 @@ namespace riedel {
 /// A node's motion summed over the stencils of eight points.
 template <int Dim>
 struct Gathered {
-  std::array<RowsOfFour, Dim == 2 ? 1 : 2> motion; ///< Σ_i N_ip (v_i, a_i), rows of NodeMotion::Record
-  SlopeRows<Dim> gradient;                         ///< Σ_i ∂N_ip/∂x_a v_i
+  std::array<Transpose8x4, Dim == 2 ? 1 : 2> motion; ///< Σ_i N_ip (v_i, a_i), rows of NodeMotion::Record
+  GradientRows<Dim> gradient;                        ///< Σ_i ∂N_ip/∂x_a v_i
 };
 
 /// The same for one point.
@@ -22,14 +22,14 @@ struct GatheredLane {
   [[gnu::always_inline]] void add(const PatchLane<Shape, Dim>& patch, const NodeMotion<Dim>* nodes) {
     patch.for_each_node(nodes, [&](int e, const NodeMotion<Dim>& node) {
       const auto record = NodeMotion<Dim>::Record::load(node.velocity.data());
-      if constexpr (use != Use::slopes) motion += patch.value_of(e) * record;
-      if constexpr (use != Use::values)
-        for (int a = 0; a < Dim; ++a) gradient[a] += patch.slope_of(e, a) * first_half(record);
+      if constexpr (use != Use::gradients) motion += patch.value_of(e) * record;
+      if constexpr (use != Use::weights)
+        for (int a = 0; a < Dim; ++a) gradient[a] += patch.gradient_of(e, a) * first_half(record);
     });
   }
   template <Use use>
   [[gnu::always_inline]] void store(Index lane, Gathered<Dim>& all) const {
-    if constexpr (use != Use::slopes) {
+    if constexpr (use != Use::gradients) {
       if constexpr (Dim == 2) {
         motion.store(all.motion[0].row(lane));
       } else {
@@ -37,7 +37,7 @@ struct GatheredLane {
         second_half(motion).store(all.motion[1].row(lane));
       }
     }
-    if constexpr (use != Use::values) {
+    if constexpr (use != Use::weights) {
       if constexpr (Dim == 2)
         joined(gradient[0], gradient[1]).store(all.gradient.rows[0].row(lane));
       else

@@ -1,14 +1,14 @@
 /// How both transfers walk over stencils, and the rows of numbers that they carry to and fro.
 #pragma once
 
-#include "core/base/rows_of_four.hpp"
+#include "core/base/transpose_8x4.hpp"
 #include "core/state/nodes.hpp"
 #include "core/state/stencils.hpp"
 
 namespace riedel {
 
 /// What of a stencil a transfer uses.
-enum class Use { values, slopes, both };
+enum class Use { weights, gradients, both };
 
 /// Calls `body` with the shape of the stencil's patches as a constant.
 template <std::size_t First = 0, class Body>
@@ -27,21 +27,21 @@ struct PatchLane {
   static constexpr PatchShape shape = patch_shapes[ShapeNumber];
   static constexpr int entries = shape.entries();
   const Index* base;
-  const double *value, *slope;
+  const double *value, *gradient;
   std::array<Index, shape.rows> row;
 
   PatchLane(const StencilEntries<Dim>& stencil, Index lane)
-      : base(stencil.base + lane), value(stencil.value + lane), slope(stencil.slope + lane) {
+      : base(stencil.base + lane), value(stencil.value + lane), gradient(stencil.gradient + lane) {
     std::copy_n(stencil.row.begin(), shape.rows, row.begin());
   }
-  void to_next_lane() { ++base, ++value, ++slope; }
+  void to_next_lane() { ++base, ++value, ++gradient; }
   void to_next_patch() {
     base += pack_size;
     value += entries * pack_size;
-    slope += entries * Dim * pack_size;
+    gradient += entries * Dim * pack_size;
   }
   [[nodiscard]] double value_of(int entry) const { return value[entry * pack_size]; }
-  [[nodiscard]] double slope_of(int entry, int axis) const { return slope[(entry * Dim + axis) * pack_size]; }
+  [[nodiscard]] double gradient_of(int entry, int axis) const { return gradient[(entry * Dim + axis) * pack_size]; }
 
   /// Calls `visit(entry, node)` for the lane's nodes.
   template <class Node, class Visit>
@@ -55,9 +55,9 @@ struct PatchLane {
 
 /// Eight rows for vectors along axes: in the plane two vectors fill a row, in space one does.
 template <int Dim>
-struct SlopeRows {
+struct GradientRows {
   static constexpr int lanes = sizeof(VectorLanes<Dim>) / sizeof(double), in_row = 4 / lanes;
-  std::array<RowsOfFour, (Dim + in_row - 1) / in_row> rows;
+  std::array<Transpose8x4, (Dim + in_row - 1) / in_row> rows;
 
   [[nodiscard]] const double* of(int axis, Index lane) const {
     return rows[axis / in_row].row(lane) + axis % in_row * lanes;

@@ -13,7 +13,7 @@ class Bad : public Material {
 public:
   [[nodiscard]] std::span<const StateVariable> states() const override { return {}; }
   [[nodiscard]] double density(std::span<const double>) const override { return 2000.0; }
-  [[nodiscard]] Survey survey(const MaterialBatch&) const override { return {.wave_speed = 100.0}; }
+  [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override { return {.wave_speed = 100.0}; }
   void integrate(const MaterialBatch&, MaterialReport&) const override {}
 };
 

@@ -27,7 +27,7 @@ public:
   static constexpr std::string_view name = "plain";
   Plain(double length, std::unique_ptr<NeighbourSearch<Dim>> search) : length_(length), search_(std::move(search)) {}
 
-  void follow(const Columns& positions) override {
+  void update_neighbours(const Columns& positions) override {
     search_->find(positions, length_, rows_);
     ++searches_;
   }
@@ -42,7 +42,7 @@ public:
       averaged[p] = sum / volume;
     }
   }
-  void forget_neighbours() override {}
+  void invalidate() override {}
   [[nodiscard]] std::int64_t searches() const override { return searches_; }
 
 private:

@@ -1,4 +1,4 @@
-/// What APIC keeps of the slope of the velocity: see transfers/apic.hpp.
+/// What APIC keeps of the gradient of the velocity: see transfers/apic.hpp.
 #pragma once
 
 #include "core/step/kernels/gather.hpp"
@@ -7,9 +7,9 @@
 namespace riedel {
 
 /// A point keeps B_p = Σ_i N_ip v_i ⊗ (x_i − x_p) [m²/s], its share of the angular momentum, from the stencil that it
-/// took its velocity with, and gives its nodes the slope C_p = B_p D_p⁻¹ with D_p of the stencil in force.
+/// took its velocity with, and gives its nodes the gradient C_p = B_p D_p⁻¹ with D_p of the stencil in force.
 template <int Dim>
-struct ApicSlope {
+struct ApicGradient {
   static constexpr bool keeps_gradient = false;
 
   /// Σ_i N_ip v_i and B_p of eight points. @return B_p by columns
@@ -20,7 +20,7 @@ struct ApicSlope {
   }
 
   /// C_p [1/s]
-  static PackMatrix<Dim> slope(const PackMatrix<Dim>& B, const PackMatrix<Dim>& D) {
+  static PackMatrix<Dim> gradient(const PackMatrix<Dim>& B, const PackMatrix<Dim>& D) {
     const PackMatrix<Dim> cofactors = cofactor(D);                              // D is symmetric
     const Pack per_determinant = Pack(1.0) / max(determinant(D), Pack(1e-300)); // lanes that are lost or not in use
     PackMatrix<Dim> C;

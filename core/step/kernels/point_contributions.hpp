@@ -10,18 +10,18 @@ constexpr int mandel(int i, int j) { return i == j ? i : i + j + 2; } ///< place
 
 /// m_p v_p and m_p of eight points.
 template <int Dim>
-void put_mass_and_momentum(const Points<Dim>& points, Index p, Shares<Dim>& shares) {
+void mass_and_momentum(const Points<Dim>& points, Index p, PointContributions<Dim>& contributions) {
   const Pack m = Pack::load(points.mass[0] + p);
   std::array<Pack, 4> columns;
   columns.fill(Pack(0.0));
   columns[NodeSums<Dim>::mass_at] = m;
   for (int a = 0; a < Dim; ++a) columns[a] = m * Pack::load(points.velocity[a] + p);
-  shares.mass.put(columns);
+  contributions.mass.put(columns);
 }
 
 /// −V_p (σ_p + p I), the stress in excess of the confining pressure.
 template <int Dim>
-void put_forces(const Points<Dim>& points, Index p, double pressure, Shares<Dim>& shares) {
+void internal_forces(const Points<Dim>& points, Index p, double pressure, PointContributions<Dim>& contributions) {
   const Pack V = -Pack::load(points.volume[0] + p);
   std::array<std::array<Pack, Dim>, Dim> force;
   for (int i = 0; i < Dim; ++i)
@@ -29,7 +29,7 @@ void put_forces(const Points<Dim>& points, Index p, double pressure, Shares<Dim>
       const Pack stress = Pack::load(points.stress[mandel(i, j)] + p);
       force[i][j] = force[j][i] = i == j ? V * (stress + Pack(pressure)) : V * stress * Pack(std::numbers::sqrt2 / 2);
     }
-  shares.force.put(force);
+  contributions.force.put(force);
 }
 
 /// m_p v of eight points, without m_p, for nodes that have their masses already.
@@ -47,13 +47,15 @@ void clear_momentum(Nodes<Dim>& nodes) {
   parallel_for(nodes.size(), [&](Index i) { nodes.sums[i].momentum.setZero(); });
 }
 
-/// Adds what `fill(points, p, shares)` says that eight points give. @return whether no point strayed from its slab
+/// Adds what `fill(points, p, contributions)` says that eight points give. @return whether no point strayed from its
+/// slab
 template <Use use, int Dim, class Fill>
-bool add_shares(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
-  return add_in_slab_order<Shares<Dim>>(state, model, body, [&](const SlabGroup<Dim>& group, Shares<Dim>& shares) {
-    fill(body.points, group.first, shares);
-    scatter<use>(group, shares, state.nodes);
-  });
+bool add_contributions(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
+  return add_in_slab_order<PointContributions<Dim>>(
+      state, model, body, [&](const SlabGroup<Dim>& group, PointContributions<Dim>& contributions) {
+        fill(body.points, group.first, contributions);
+        scatter<use>(group, contributions, state.nodes);
+      });
 }
 
 /// The lanes of a group that belong to its slab; the others are another thread's.

@@ -1,4 +1,4 @@
-#include "core/case/given.hpp"
+#include "core/case/raw_entry.hpp"
 
 #include "core/base/error.hpp"
 #include "core/base/suggestion.hpp"
@@ -80,8 +80,8 @@ Value text_from(const Scalar& item, const Key& key) {
 }
 
 template <class Number, class Read>
-Value list_from(const Given& given, const Key& key, Read read) {
-  if (given.kind != Given::Kind::list) throw InputError("is not a list");
+Value list_from(const RawEntry& given, const Key& key, Read read) {
+  if (given.kind != RawEntry::Kind::list) throw InputError("is not a list");
   const std::size_t length = std::get<std::vector<Number>>(key.default_value).size();
   if (!key.any_length && given.items.size() != length)
     throw InputError("has " + std::to_string(given.items.size()) + " entries instead of " + std::to_string(length));
@@ -94,12 +94,12 @@ Value list_from(const Given& given, const Key& key, Read read) {
   return numbers;
 }
 
-Value convert_plainly(const Given& given, const Key& key) {
-  if (given.kind == Given::Kind::empty_section) throw InputError("is a section, not a value");
+Value convert_plainly(const RawEntry& given, const Key& key) {
+  if (given.kind == RawEntry::Kind::empty_section) throw InputError("is a section, not a value");
   if (std::holds_alternative<std::vector<double>>(key.default_value)) return list_from<double>(given, key, number_from);
   if (std::holds_alternative<std::vector<std::int64_t>>(key.default_value))
     return list_from<std::int64_t>(given, key, integer_from);
-  if (given.kind == Given::Kind::list) throw InputError("is a list");
+  if (given.kind == RawEntry::Kind::list) throw InputError("is a list");
   const Scalar& item = given.items.front();
   if (std::holds_alternative<std::string>(key.default_value) || !key.choices.empty()) return text_from(item, key);
   if (std::holds_alternative<double>(key.default_value)) return number_from(item, key);
@@ -124,7 +124,7 @@ std::string wanted(const Key& key) {
   return (key.choices.empty() ? "" : joined(key.choices) + ", or ") + number_wanted(key, "a number");
 }
 
-Value convert(const Given& given, const Key& key) {
+Value convert(const RawEntry& given, const Key& key) {
   try {
     return convert_plainly(given, key);
   } catch (const InputError& problem) {

@@ -1,7 +1,7 @@
-#include "core/step/transfer.hpp"
+#include "core/step/points_to_grid.hpp"
 
 #include "core/step/boundary.hpp"
-#include "core/step/kernels/point_shares.hpp"
+#include "core/step/kernels/point_contributions.hpp"
 
 namespace riedel {
 
@@ -25,7 +25,7 @@ NodePower sum_over_nodes(State<Dim>& state, const Add& add) {
 /// Of a node that carries motion.
 template <int Dim>
 double least_mass(const State<Dim>& state, const Model<Dim>& model) {
-  return model.scheme->least_weight() * state.bodies.front().points.mass[0][0];
+  return model.scheme->mass_cutoff() * state.bodies.front().points.mass[0][0];
 }
 
 } // namespace
@@ -34,9 +34,10 @@ template <int Dim>
 void map_forces(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);
   for (Body<Dim>& body : state.bodies)
-    add_shares<Use::slopes>(state, model, body, [&](const Points<Dim>& points, Index p, Shares<Dim>& shares) {
-      put_forces(points, p, model.confining_pressure, shares);
-    });
+    add_contributions<Use::gradients>(state, model, body,
+                                      [&](const Points<Dim>& points, Index p, PointContributions<Dim>& contributions) {
+                                        internal_forces(points, p, model.confining_pressure, contributions);
+                                      });
 }
 
 template <int Dim>

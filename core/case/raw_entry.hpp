@@ -8,7 +8,7 @@ namespace riedel {
 /// std::monostate stands for what no key takes, such as a date or a list in a list.
 using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-struct Given {
+struct RawEntry {
   enum class Kind { single, list, empty_section };
 
   std::string name;  ///< dotted path of the key
@@ -22,6 +22,6 @@ struct Given {
 std::string wanted(const Key& key);
 
 /// @throws InputError that says what was given and what is allowed, without the place
-Value convert(const Given& given, const Key& key);
+Value convert(const RawEntry& given, const Key& key);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-#include "core/campaign/carry_out.hpp"
+#include "core/campaign/run_campaign.hpp"
 
 #include "core/base/error.hpp"
 #include "core/campaign/child_process.hpp"
@@ -83,7 +83,7 @@ struct Worker {
 
 class Campaign {
 public:
-  Campaign(const Plan& plan, const fs::path& folder, const CarryOut& how)
+  Campaign(const Plan& plan, const fs::path& folder, const CampaignOptions& how)
       : kind_(*plan.kind), folder_(folder), how_(how) {
     for (const std::size_t i : longest_first(plan))
       if (is_open(plan.runs[i])) waiting_.push_back(&plan.runs[i]);
@@ -93,7 +93,7 @@ public:
     threads_each_ = how.threads / static_cast<int>(at_once_);
   }
 
-  void carry_out() {
+  void run_campaign() {
     constexpr auto between_looks = std::chrono::milliseconds(20);
     constexpr int looks_between_reports = 10;
     Progress progress(how_.command);
@@ -191,7 +191,7 @@ private:
 
   const RunKind& kind_;
   const fs::path& folder_;
-  const CarryOut& how_;
+  const CampaignOptions& how_;
   std::vector<const PlannedRun*> waiting_;
   std::list<Worker> workers_;
   std::size_t runs_ = 0, at_once_ = 1;
@@ -201,8 +201,8 @@ private:
 
 } // namespace
 
-void carry_out(const Plan& plan, const fs::path& folder, const CarryOut& how) {
-  Campaign(plan, folder, how).carry_out();
+void run_campaign(const Plan& plan, const fs::path& folder, const CampaignOptions& how) {
+  Campaign(plan, folder, how).run_campaign();
 }
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-#include "materials/element/law_point.hpp"
+#include "materials/element/material_point.hpp"
 
 #include "core/base/error.hpp"
 
@@ -35,7 +35,7 @@ struct Lone {
   Index id = 0;
   MaterialBatch batch;
 
-  Lone(LawPoint& point, const Course& course)
+  Lone(MaterialPoint& point, const Course& course)
       : rate(to_sym(course.L).m), L(course.L), before(point.F), after(course.F), rotation(course.rotation) {
     for (double& value : point.state) columns.push_back(&value);
     L.fill(motion.velocity_gradient);
@@ -83,7 +83,7 @@ void rotate(Sym<double>& a, const Mat<3>& Q) { a = to_sym(Q * to_matrix(a) * Q.t
 
 } // namespace
 
-void rotate_tensors(const Material& law, LawPoint& point, const Mat<3>& Q) {
+void rotate_tensors(const Material& law, MaterialPoint& point, const Mat<3>& Q) {
   rotate(point.stress, Q);
   std::size_t column = 0;
   for (const StateVariable& variable : law.states()) {
@@ -97,7 +97,7 @@ void rotate_tensors(const Material& law, LawPoint& point, const Mat<3>& Q) {
   }
 }
 
-void begin_stage(LawPoint& point) {
+void begin_stage(MaterialPoint& point) {
   ++point.stage;
   point.stage_start = point.time;
   point.increments = 0;
@@ -106,7 +106,7 @@ void begin_stage(LawPoint& point) {
 namespace {
 
 /// Rotates what turns over a step to where it stands at its end. @return the step
-Course begin_step(const Material& law, LawPoint& point, const Mat<3>& increment, double time) {
+Course begin_step(const Material& law, MaterialPoint& point, const Mat<3>& increment, double time) {
   Course course{.time = time, .L = increment / time, .F = exponential(increment) * point.F};
   if (increment == increment.transpose()) return course;
   const Mat<3> half = half_rotation(increment);
@@ -118,7 +118,8 @@ Course begin_step(const Material& law, LawPoint& point, const Mat<3>& increment,
 
 } // namespace
 
-LawPoint deformed(const Material& law, LawPoint point, const Mat<3>& increment, double time, MaterialReport& report) {
+MaterialPoint deformed(const Material& law, MaterialPoint point, const Mat<3>& increment, double time,
+                       MaterialReport& report) {
   const Course course = begin_step(law, point, increment, time);
   try {
     law.integrate(Lone(point, course).batch, report);
@@ -132,12 +133,14 @@ LawPoint deformed(const Material& law, LawPoint point, const Mat<3>& increment, 
   return point;
 }
 
-void with_batch(const Material& law, LawPoint point, const Mat<3>& increment, double time,
+void with_batch(const Material& law, MaterialPoint point, const Mat<3>& increment, double time,
                 const std::function<void(const MaterialBatch&)>& use) {
   const Course course = begin_step(law, point, increment, time);
   use(Lone(point, course).batch);
 }
 
-Survey survey(const Material& law, LawPoint point) { return law.survey(Lone(point, {.F = point.F}).batch); }
+MaterialLimits assess(const Material& law, MaterialPoint point) {
+  return law.assess(Lone(point, {.F = point.F}).batch);
+}
 
 } // namespace riedel

@@ -9,7 +9,7 @@
 namespace riedel {
 
 /// A point and where its deformation has brought it. Tension and extension are positive.
-struct LawPoint {
+struct MaterialPoint {
   Mat<3> F = Mat<3>::Identity();            ///< deformation gradient
   Sym<double> strain = Sym<double>::zero(); ///< ∫ D dt, Mandel
   Sym<double> stress = Sym<double>::zero(); ///< Cauchy, Mandel [Pa]
@@ -26,19 +26,20 @@ struct LawPoint {
 /// in Δt (Strang 1968, SIAM J. Numer. Anal. 5). The law sees ‖D‖ itself, not an average.
 /// @param increment L Δt [-]   @param time Δt [s]   @param report of the law; failures > 0: the answer is void
 /// @throws RunError where the law throws
-LawPoint deformed(const Material& law, LawPoint point, const Mat<3>& increment, double time, MaterialReport& report);
+MaterialPoint deformed(const Material& law, MaterialPoint point, const Mat<3>& increment, double time,
+                       MaterialReport& report);
 
 /// Calls `use` with a point as the law would be handed it for that step, already rotated.
-void with_batch(const Material& law, LawPoint point, const Mat<3>& increment, double time,
+void with_batch(const Material& law, MaterialPoint point, const Mat<3>& increment, double time,
                 const std::function<void(const MaterialBatch&)>& use);
 
 /// Turns stress and tensors among the state variables, but not F.
-void rotate_tensors(const Material& law, LawPoint& point, const Mat<3>& Q);
+void rotate_tensors(const Material& law, MaterialPoint& point, const Mat<3>& Q);
 
 /// The point's next step is the first one of another stage.
-void begin_stage(LawPoint& point);
+void begin_stage(MaterialPoint& point);
 
 /// What the law says of a point's state.
-Survey survey(const Material& law, LawPoint point);
+MaterialLimits assess(const Material& law, MaterialPoint point);
 
 } // namespace riedel

@@ -1,15 +1,15 @@
 /// Eight rows of four doubles from four packs, and back.
 #pragma once
 
-#include "core/base/few.hpp"
 #include "core/base/pack.hpp"
+#include "core/base/short_vector.hpp"
 
 #include <cstring>
 
 namespace riedel {
 
 /// Eight rows of four doubles, one for each of eight points: packs are their columns.
-class RowsOfFour {
+class Transpose8x4 {
 public:
   [[nodiscard]] double* row(Index k) { return row_[k].data(); }
   [[nodiscard]] const double* row(Index k) const { return row_[k].data(); }
@@ -40,21 +40,22 @@ public:
   }
 
 private:
-  using Eight = Few<8>::Lanes;
+  using Eight = ShortVector<8>::Lanes;
   // By reference: vectors that a processor lacks cannot be returned in one way by all compilers.
   static void copy(const Pack& pack, Eight& lanes) { std::memcpy(&lanes, &pack, sizeof(lanes)); }
   /// Not by std::bit_cast, which takes a reference to something as aligned as clang has its vectors.
   static Pack pack(const Eight& lanes) { return __builtin_bit_cast(Pack, lanes); }
   /// Rows k and k + 4.
   void put_pair(Index k, const Eight& rows) {
-    Few<4> half;
+    ShortVector<4> half;
     half.lanes = __builtin_shufflevector(rows, rows, 0, 1, 2, 3);
     half.store(row(k));
     half.lanes = __builtin_shufflevector(rows, rows, 4, 5, 6, 7);
     half.store(row(k + 4));
   }
   void get_pair(Index k, Eight& rows) const {
-    rows = __builtin_shufflevector(Few<4>::load(row(k)).lanes, Few<4>::load(row(k + 4)).lanes, 0, 1, 2, 3, 4, 5, 6, 7);
+    rows = __builtin_shufflevector(ShortVector<4>::load(row(k)).lanes, ShortVector<4>::load(row(k + 4)).lanes, 0, 1, 2,
+                                   3, 4, 5, 6, 7);
   }
   alignas(64) std::array<std::array<double, 4>, pack_size> row_;
 };

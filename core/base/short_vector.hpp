@@ -23,45 +23,45 @@ struct LanesOf<8> {
 } // namespace detail
 
 template <int Size>
-struct Few {
+struct ShortVector {
   using Lanes = typename detail::LanesOf<Size>::Type;
   Lanes lanes;
 
-  Few() = default;
-  Few(double value) {        // NOLINT: a number is a few equal numbers
-    lanes = value - Lanes{}; // a vector of equal numbers
+  ShortVector() = default;
+  ShortVector(double value) { // NOLINT: a number is a few equal numbers
+    lanes = value - Lanes{};  // a vector of equal numbers
   }
-  static Few load(const double* from) {
-    Few few;
+  static ShortVector load(const double* from) {
+    ShortVector few;
     few.lanes = *reinterpret_cast<const Lanes*>(from);
     return few;
   }
   void store(double* to) const { *reinterpret_cast<Lanes*>(to) = lanes; }
-  Few& operator+=(const Few& b) {
+  ShortVector& operator+=(const ShortVector& b) {
     lanes += b.lanes;
     return *this;
   }
-  Few& operator-=(const Few& b) {
+  ShortVector& operator-=(const ShortVector& b) {
     lanes -= b.lanes;
     return *this;
   }
 };
 
 template <int Size>
-Few<Size> operator*(const Few<Size>& a, const Few<Size>& b) {
-  Few<Size> product;
+ShortVector<Size> operator*(const ShortVector<Size>& a, const ShortVector<Size>& b) {
+  ShortVector<Size> product;
   product.lanes = a.lanes * b.lanes;
   return product;
 }
 
 template <int Size>
-Few<Size> operator*(double a, const Few<Size>& b) {
-  return Few<Size>(a) * b;
+ShortVector<Size> operator*(double a, const ShortVector<Size>& b) {
+  return ShortVector<Size>(a) * b;
 }
 
 template <int Size>
-Few<Size / 2> first_half(const Few<Size>& a) {
-  Few<Size / 2> half;
+ShortVector<Size / 2> first_half(const ShortVector<Size>& a) {
+  ShortVector<Size / 2> half;
   if constexpr (Size == 4)
     half.lanes = __builtin_shufflevector(a.lanes, a.lanes, 0, 1);
   else
@@ -69,8 +69,8 @@ Few<Size / 2> first_half(const Few<Size>& a) {
   return half;
 }
 template <int Size>
-Few<Size / 2> second_half(const Few<Size>& a) {
-  Few<Size / 2> half;
+ShortVector<Size / 2> second_half(const ShortVector<Size>& a) {
+  ShortVector<Size / 2> half;
   if constexpr (Size == 4)
     half.lanes = __builtin_shufflevector(a.lanes, a.lanes, 2, 3);
   else
@@ -78,8 +78,8 @@ Few<Size / 2> second_half(const Few<Size>& a) {
   return half;
 }
 /// (a0, a1, b0, b1)
-inline Few<4> joined(const Few<2>& a, const Few<2>& b) {
-  Few<4> both;
+inline ShortVector<4> joined(const ShortVector<2>& a, const ShortVector<2>& b) {
+  ShortVector<4> both;
   both.lanes = __builtin_shufflevector(a.lanes, b.lanes, 0, 1, 2, 3);
   return both;
 }
