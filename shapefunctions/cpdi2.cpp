@@ -1,5 +1,6 @@
 #include "shapefunctions/cpdi2.hpp"
 
+#include "core/base/pack_matrix.hpp"
 #include "core/state/cell_place.hpp"
 #include "shapefunctions/kit/corners.hpp"
 #include "shapefunctions/kit/tensor_product.hpp"
@@ -17,19 +18,6 @@ CornerPlaces<Dim> corners_of(const Points<Dim>& points, Index p) {
   for (int c = 0; c < power(2, Dim); ++c)
     for (int a = 0; a < Dim; ++a) x[c][a] = load_lanes(points.scheme_data[c * Dim + a], p, points.size());
   return x;
-}
-
-/// Columns of det J J⁻ᵀ.
-std::array<PackVector<2>, 2> cofactors(const std::array<PackVector<2>, 2>& J) {
-  return {{{J[1][1], -J[1][0]}, {-J[0][1], J[0][0]}}};
-}
-std::array<PackVector<3>, 3> cofactors(const std::array<PackVector<3>, 3>& J) {
-  std::array<PackVector<3>, 3> C;
-  for (int a = 0; a < 3; ++a) {
-    const PackVector<3>&u = J[(a + 1) % 3], &v = J[(a + 2) % 3];
-    C[a] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  }
-  return C;
 }
 
 /// M_c = 2⁻ᵈ Π (1 + s_ca ξ_a) and ∂M_c/∂ξ_a at a point of Gauss's rule, ξ_a = s_ga/√3.
@@ -66,12 +54,12 @@ CornerWeights<Dim> corner_weights(const CornerPlaces<Dim>& x) {
   w.value.fill(Pack(0.0));
   for (PackVector<Dim>& gradient : w.gradient) gradient.fill(Pack(0.0));
   for (int g = 0; g < corners; ++g) {
-    std::array<PackVector<Dim>, Dim> J; // J[a] = ∂x/∂ξ_a
+    PackMatrix<Dim> J; // J[a] = ∂x/∂ξ_a
     for (PackVector<Dim>& column : J) column.fill(Pack(0.0));
     for (int c = 0; c < corners; ++c)
       for (int a = 0; a < Dim; ++a)
         for (int i = 0; i < Dim; ++i) J[a][i] += Pack(CornerShape<Dim>(c, g).gradient[a]) * x[c][i];
-    const std::array<PackVector<Dim>, Dim> C = cofactors(J);
+    const PackMatrix<Dim> C = cofactor(J);
     Pack det(0.0);
     for (int i = 0; i < Dim; ++i) det += J[0][i] * C[0][i];
     w.volume += det;

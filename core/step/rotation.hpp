@@ -2,8 +2,8 @@
 /// σ̇ = σ° + Wσ − σW.
 #pragma once
 
+#include "core/base/pack_matrix.hpp"
 #include "core/base/tensor.hpp"
-#include "core/step/pack_matrix.hpp"
 
 namespace riedel {
 
@@ -56,14 +56,14 @@ inline void rotate(Sym<Pack>& a, const SpaceRotation& Q) {
   PackMatrix<3> S, QS;
   for (int i = 0; i < 3; ++i) {
     S[i][i] = a.m[i];
-    for (int j = 0; j < i; ++j) S[i][j] = S[j][i] = Pack(std::numbers::sqrt2 / 2) * a.m[i + j + 2];
+    for (int j = 0; j < i; ++j) S[i][j] = S[j][i] = Pack(std::numbers::sqrt2 / 2) * a.m[mandel(i, j)];
   }
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) QS[i][j] = Q[i][0] * S[0][j] + Q[i][1] * S[1][j] + Q[i][2] * S[2][j];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j <= i; ++j) {
       const Pack rotated = QS[i][0] * Q[j][0] + QS[i][1] * Q[j][1] + QS[i][2] * Q[j][2];
-      a.m[i == j ? i : i + j + 2] = i == j ? rotated : Pack(std::numbers::sqrt2) * rotated;
+      a.m[mandel(i, j)] = i == j ? rotated : Pack(std::numbers::sqrt2) * rotated;
     }
 }
 

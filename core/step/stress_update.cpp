@@ -1,5 +1,6 @@
 #include "core/step/stress_update.hpp"
 
+#include "core/base/pack_matrix.hpp"
 #include "core/base/parallel.hpp"
 #include "core/step/block_motion.hpp"
 #include "core/step/law_failure.hpp"
@@ -27,21 +28,14 @@ auto spin_of(const Columns& L, Index p) {
     return std::array<Pack, 3>{w(2, 1), w(0, 2), w(1, 0)};
 }
 
-template <int Dim>
-PackMatrix<Dim> load(const Columns& field, Index p) {
-  PackMatrix<Dim> a;
-  for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) a[i][j] = Pack::load(field[i * Dim + j] + p);
-  return a;
-}
-
 /// Q of the step, of eight points.
 template <ObjectiveRate objective, int Dim>
 auto rotation_of_step(const Points<Dim>& points, Index p, double dt) {
   if constexpr (objective == ObjectiveRate::jaumann)
     return cayley(spin_of<Dim>(points.velocity_gradient, p), dt);
   else
-    return polar_rotation(load<Dim>(points.deformation_gradient, p), load<Dim>(points.velocity_gradient, p), dt);
+    return polar_rotation(load_matrix<Dim>(points.deformation_gradient, p),
+                          load_matrix<Dim>(points.velocity_gradient, p), dt);
 }
 
 /// Mandel components that a motion in Dim dimensions touches: in the plane 11, 22 and 12.

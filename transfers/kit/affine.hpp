@@ -3,8 +3,8 @@
 /// loops are in affine.ipp, to be included in one source file for each transfer.
 #pragma once
 
+#include "core/base/pack_matrix.hpp"
 #include "core/interface/velocity_transfer.hpp"
-#include "core/step/pack_matrix.hpp"
 
 namespace riedel {
 

@@ -1,8 +1,8 @@
 /// What APIC keeps of the gradient of the velocity: see transfers/apic.hpp.
 #pragma once
 
+#include "core/base/pack_matrix.hpp"
 #include "core/step/kernels/gather.hpp"
-#include "core/step/pack_matrix.hpp"
 
 namespace riedel {
 

@@ -1,7 +1,7 @@
 /// Moments of stencils about their points.
 #pragma once
 
-#include "core/step/pack_matrix.hpp"
+#include "core/base/pack_matrix.hpp"
 #include "core/step/state.hpp"
 
 namespace riedel {

@@ -1,12 +1,11 @@
 /// What eight points have to give to the grid.
 #pragma once
 
+#include "core/base/tensor.hpp"
 #include "core/step/kernels/point_motion.hpp"
 #include "core/step/kernels/scatter.hpp"
 
 namespace riedel {
-
-constexpr int mandel(int i, int j) { return i == j ? i : i + j + 2; } ///< place of σ_ij in the order 11 22 33 12 13 23
 
 /// m_p v_p and m_p of eight points.
 template <int Dim>
@@ -26,7 +25,7 @@ void internal_forces(const Points<Dim>& points, Index p, double pressure, PointC
   std::array<std::array<Pack, Dim>, Dim> force;
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j <= i; ++j) {
-      const Pack stress = Pack::load(points.stress[mandel(i, j)] + p);
+      const Pack stress = Pack::load(points.stress[static_cast<int>(mandel(i, j))] + p);
       force[i][j] = force[j][i] = i == j ? V * (stress + Pack(pressure)) : V * stress * Pack(std::numbers::sqrt2 / 2);
     }
   contributions.force.put(force);

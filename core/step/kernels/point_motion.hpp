@@ -2,10 +2,10 @@
 /// no harm.
 #pragma once
 
+#include "core/base/pack_matrix.hpp"
 #include "core/state/points.hpp"
 #include "core/step/kernels/gather.hpp"
 #include "core/step/model.hpp"
-#include "core/step/pack_matrix.hpp"
 
 namespace riedel {
 
@@ -44,9 +44,8 @@ void take_up(const NewMotion<Dim>& motion, Points<Dim>& points, Index p) {
 /// F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.
 template <int Dim>
 void strain(const std::type_identity_t<PackMatrix<Dim>>& L, Points<Dim>& points, Index p, double dt) {
-  PackMatrix<Dim> old, F;
-  for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) old[i][j] = Pack::load(points.deformation_gradient[i * Dim + j] + p);
+  const PackMatrix<Dim> old = load_matrix<Dim>(points.deformation_gradient, p);
+  PackMatrix<Dim> F;
   Pack squared(0.0), trace(0.0);
   for (int i = 0; i < Dim; ++i) {
     trace += L[i][i];
