@@ -9,6 +9,7 @@
 #include "apps/element/path.hpp"
 #include "apps/element/pictures.hpp"
 #include "apps/element/summary.hpp"
+#include "apps/element/tests/tests.hpp"
 #include "core/base/error.hpp"
 #include "core/campaign/legend.hpp"
 #include "core/case/case_text.hpp"
@@ -118,10 +119,10 @@ ElementCurve carry_out(const ElementRun& run, const Manner& manner) {
   write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
   const auto start = std::chrono::steady_clock::now();
   const PoreWater water = element_path(values).water;
-  History history(run.folder / "element.csv", element_columns(test, water.present()));
+  History history(run.folder / "element.csv", element_columns(shears(test), water.present()));
   std::optional<IncrementalOutput> output;
   const auto write_row = [&](const ElementRow& row, const MaterialPoint& point) {
-    history.add(element_numbers(row, test, water.present()));
+    history.add(element_numbers(row, shears(test), water.present()));
     if (manner.imported && !output)
       output.emplace(run.folder / "output.txt", *law_of(values, manner.catalogue), water, values.section("material"));
     if (output) output->add(point);
@@ -151,7 +152,7 @@ void print_result(const NamedCurve& named) {
   const ElementCurve& curve = named.curve;
   const auto peak = std::ranges::max_element(curve.rows, {}, &ElementRow::phi_mob);
   const ElementRow& last = curve.rows.back();
-  const bool shear = curve.test == "shear";
+  const bool shear = shears(curve.test);
   const char* how = !curve.failure.empty() ? "failed: " : !curve.interrupted.empty() ? "interrupted: " : "";
   std::printf("%s%s%speak %.2f deg at %s = %.2f %%, end %.2f deg, e = %.4f, sigma_1 = %.4g kPa at %.2f %%\n",
               named.label.c_str(), named.label.empty() ? "" : ": ", how, peak->phi_mob, shear ? "gamma" : "eps_1",
@@ -179,8 +180,8 @@ void print_interruption(const std::vector<NamedCurve>& curves, std::size_t runs)
   std::string text = "interrupted";
   if (!curve.interrupted.empty())
     text += std::string(label.empty() ? "" : " at " + label) + " in " + curve.interrupted + ", at " +
-            (curve.test == "shear" ? "gamma = " + short_text(100.0 * last.gamma, 4)
-                                   : "eps_1 = " + short_text(100.0 * last.eps[0], 4)) +
+            (shears(curve.test) ? "gamma = " + short_text(100.0 * last.gamma, 4)
+                                : "eps_1 = " + short_text(100.0 * last.eps[0], 4)) +
             " % and " + short_text(last.time, 4) + " s";
   if (runs > 1)
     text += "; " + std::to_string(curves.size() - (curve.interrupted.empty() ? 0 : 1)) + " of " + std::to_string(runs) +

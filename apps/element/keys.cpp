@@ -5,6 +5,7 @@
 #include "apps/element/path_check.hpp"
 #include "apps/element/path_keys.hpp"
 #include "apps/element/specimen.hpp"
+#include "apps/element/tests/tests.hpp"
 #include "core/case/dimension_check.hpp"
 #include "core/case/interpolation_keys.hpp"
 #include "core/case/step_keys.hpp"
@@ -20,30 +21,19 @@ namespace {
 
 const Bounds any{};
 
-Key pressure_key(const std::string& name, double standard, std::string doc) {
-  return {"loading." + name, standard, "Pa", more_than(0), std::move(doc)};
-}
-Key strain_key(double standard, std::string doc, double most = 1.0) {
-  return {"loading.final_strain", standard, "-", within(0, most), std::move(doc)};
-}
-
-Keys start_keys(const std::string& test) {
-  const std::string u = "vertical strain u/h0 at which the test ends";
-  if (test == "oedometer")
-    return {pressure_key("initial_pressure", 1e3, "pressure from all sides at the start"), strain_key(0.06, u),
-            pressure_key("final_stress", 3e6, "vertical stress at which the test ends, if it comes first")};
-  if (test == "shear")
-    return {pressure_key("normal_stress", 200e3, "normal stress, constant, and pressure from all sides at the start"),
-            strain_key(0.5, "shear strain u/h0 at which the test ends", 100.0)};
-  if (test == "biaxial")
-    return {pressure_key("confining_pressure", 50e3, "lateral pressure, constant"), strain_key(0.06, u)};
-  return {pressure_key("confining_pressure", 500e3, "lateral pressure, constant"), strain_key(0.3, u)};
+std::string names_of_tests(bool (*holds)(const ElementTest&)) {
+  std::string names;
+  for (const ElementTest& test : named_element_tests())
+    if (holds(test)) names += (names.empty() ? "" : ", ") + test.name;
+  return names;
 }
 
 Keys problem_keys(const std::string& test) {
-  Keys keys{{"test", test, "", any, "what is done to the element", element_tests()},
-            {"specimen.void_ratio", test == "biaxial" ? 0.55 : 0.60, "-", more_than(0), "initial void ratio e0"}};
-  if (test == "path") {
+  const ElementTest* const named = find_element_test(test);
+  Keys keys{
+      {"test", test, "", any, "what is done to the element", element_tests()},
+      {"specimen.void_ratio", named == nullptr ? 0.60 : named->void_ratio, "-", more_than(0), "initial void ratio e0"}};
+  if (named == nullptr) {
     append(keys,
            {{"specimen.water_bulk_modulus", 0.0, "Pa", at_least(0),
              "of water that fills the pores and does not leave them, such as 2.2 GPa; 0: none"},
@@ -57,7 +47,7 @@ Keys problem_keys(const std::string& test) {
              "intergranular strain along 1, 2, 3 at the start, compression positive"}});
     return keys;
   }
-  append(keys, start_keys(test));
+  append(keys, named->loading);
   keys.push_back({"loading.rate", 0.01, "1/s", more_than(0), "rate of u/h0; of no effect where the law knows no rate"});
   return keys;
 }
@@ -87,7 +77,8 @@ Keys mpm_keys(const Catalogue& catalogue) {
        "auto",
        "-",
        between(2, 3),
-       "2: plane strain; auto: 3 for the triaxial test, 2 for the others",
+       "2: plane strain; auto: 3 for the " +
+           names_of_tests([](const ElementTest& test) { return test.dimensions == 3; }) + " test, 2 for the others",
        {"auto"}},
       {"loading.speed", 0.01, "m/s", more_than(0), "speed of the driven plate"},
       {"loading.ramp_time", 5e-3, "s", at_least(0), "time over which the speed rises smoothly from zero"}};
@@ -114,10 +105,8 @@ StartPressure start_pressure(const Values& v) {
     return {(sigma[0] + sigma[1] + sigma[2]) / 3.0 - v.number("initial.pore_pressure"), "initial.sigma",
             "initial stress"};
   }
-  for (const auto& [key, name] :
-       {std::pair{"loading.initial_pressure", "initial pressure"}, {"loading.normal_stress", "normal stress"}})
-    if (v.has(key)) return {v.number(key), key, name};
-  return {v.number("loading.confining_pressure"), "loading.confining_pressure", "confining pressure"};
+  const ElementTest& test = element_test(v);
+  return {v.number(test.pressure_key), test.pressure_key, test.pressure_name};
 }
 
 /// A start with intergranular strain needs a law that has it, and lies in its elastic range.
@@ -151,8 +140,8 @@ void check_specimen(const Values& v, std::vector<Finding>& errors) {
   if (test == "path") {
     errors.push_back(
         {{"driver.kind"},
-         "\"mpm\" carries out no path: its specimen stands between plates; allowed: \"point\", or one of the "
-         "tests oedometer, triaxial, shear, biaxial"});
+         "\"mpm\" carries out no path: its specimen stands between plates; allowed: \"point\", or one of the tests " +
+             names_of_tests([](const ElementTest&) { return true; })});
     return;
   }
   check_points(v, errors);
@@ -160,8 +149,8 @@ void check_specimen(const Values& v, std::vector<Finding>& errors) {
   const double dimensions = v.number("grid.dimensions");
   if (dimensions != 2.0 && dimensions != 3.0)
     errors.push_back({{"grid.dimensions"}, exact_text(dimensions) + " is no number of dimensions; allowed: 2, 3"});
-  else if (test == "triaxial" && dimensions == 2.0)
-    errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a triaxial test is not; allowed: 3, \"auto\""});
+  else if (dimensions < element_test(v).dimensions)
+    errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a " + test + " test is not; allowed: 3, \"auto\""});
 }
 
 Diagnostics check_element(const Values& v, const Catalogue& catalogue) {
@@ -195,7 +184,12 @@ Diagnostics check_element(const Values& v, const Catalogue& catalogue) {
 } // namespace
 
 const std::vector<std::string>& element_tests() {
-  static const std::vector<std::string> all{"oedometer", "triaxial", "shear", "biaxial", "path"};
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const ElementTest& test : named_element_tests()) names.push_back(test.name);
+    names.emplace_back("path");
+    return names;
+  }();
   return all;
 }
 
@@ -212,14 +206,14 @@ Keys element_keys(const Catalogue& catalogue, const std::string& test, std::stri
 std::optional<std::string> test_of(const CaseFile& given) { return given.peek_text("test"); }
 
 CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
-  const std::string wish = test_of(given).value_or("triaxial");
+  const std::string wish = test_of(given).value_or(usual_element_test);
   const bool known = std::ranges::find(element_tests(), wish) != element_tests().end();
-  Keys keys = element_keys(catalogue, known ? wish : "triaxial", model_of(given));
+  Keys keys = element_keys(catalogue, known ? wish : usual_element_test, model_of(given));
   if (wish == "path") append(keys, path_keys(given));
   CheckedCase checked = checked_case(
       given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); },
       [&](std::vector<Finding>& errors) {
-        explain_unknown_element_keys(given, known ? wish : "triaxial", catalogue, errors);
+        explain_unknown_element_keys(given, known ? wish : usual_element_test, catalogue, errors);
       });
   try_material(given, checked.values, catalogue);
   // A measure that a stage leaves free is no condition, and a sine without amplitude is none: nothing to write down.

@@ -10,6 +10,9 @@ namespace riedel {
 /// The tests of the paper, plane strain compression, and any path that the case describes.
 const std::vector<std::string>& element_tests();
 
+/// Where a case names none.
+inline constexpr const char* usual_element_test = "triaxial";
+
 /// Default of `material.tolerance`: a point costs so little that its law can be integrated more finely than on a grid.
 inline constexpr double element_law_tolerance = 1e-7;
 

@@ -3,6 +3,7 @@
 #include "apps/element/keys.hpp"
 #include "apps/element/outlook.hpp"
 #include "apps/element/path_keys.hpp"
+#include "apps/element/tests/tests.hpp"
 #include "apps/element/views.hpp"
 #include "apps/kinds.hpp"
 #include "core/base/error.hpp"
@@ -19,11 +20,9 @@ namespace riedel {
 
 namespace {
 
-constexpr const char* usual_test = "triaxial";
-
 bool holds(const CaseFile& given) { return test_of(given).has_value(); }
 
-std::string test_or_usual(const CaseFile& given) { return test_of(given).value_or(usual_test); }
+std::string test_or_usual(const CaseFile& given) { return test_of(given).value_or(usual_element_test); }
 
 std::vector<std::string> words(const CaseFile& given) { return {"element", test_or_usual(given)}; }
 
@@ -31,7 +30,7 @@ bool is_known(const std::string& test) { return std::ranges::find(element_tests(
 
 Keys keys(const CaseFile& given, const Catalogue& catalogue) {
   const std::string test = test_or_usual(given);
-  Keys all = element_keys(catalogue, is_known(test) ? test : usual_test, model_of(given));
+  Keys all = element_keys(catalogue, is_known(test) ? test : usual_element_test, model_of(given));
   if (test == "path") append(all, path_keys(given));
   return all;
 }
@@ -68,7 +67,7 @@ std::string schema(const CaseFile& given, const Catalogue& catalogue) {
 }
 
 CurveAxes axes(const CaseFile& given) {
-  const bool shear = test_or_usual(given) == "shear";
+  const bool shear = shears(test_or_usual(given));
   return {.x = shear ? "gamma" : "eps_1",
           .x_label = shear ? "shear strain γ [%]" : "strain ε₁ [%]",
           .y = "phi_mob_deg",

@@ -2,6 +2,7 @@
 #include "apps/element/drivers.hpp"
 #include "apps/element/path.hpp"
 #include "apps/element/specimen.hpp"
+#include "apps/element/tests/tests.hpp"
 #include "core/base/error.hpp"
 #include "core/io/messages.hpp"
 #include "core/run/run.hpp"
@@ -12,9 +13,9 @@ namespace riedel {
 
 namespace {
 
-/// The strain that the test prescribes: of the shear test, or of any other.
-double prescribed_strain(const MaterialPoint& mean, const Values& v) {
-  return v.text("test") == "shear" ? mean.F(0, 1) : 1.0 - mean.F(0, 0);
+/// The strain that the test drives, γ or ε1.
+double driven_strain(const MaterialPoint& mean, const ElementTest& test) {
+  return test.shears() ? mean.F(0, 1) : 1.0 - mean.F(0, 0);
 }
 
 /// @throws InputError where nobody could wait for the end
@@ -31,13 +32,14 @@ void refuse_endless(const Values& v, double time_step) {
 template <int Dim>
 ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch& watch) {
   constexpr int steps_between_checks = 10; // the sums over the points cost as much as a step does
+  const ElementTest& test = element_test(v);
   const ElementPath path = element_path(v);
   const PathStage& stage = path.stages.front();
   Simulation<Dim> simulation = make_element<Dim>(v, catalogue, path.stress);
   refuse_endless(v, simulation.time_step());
   ThreadChoice threads(watch.threads);
   const Material& law = *simulation.state().bodies.front().material;
-  ElementCurve curve{.test = v.text("test"), .energies = ElementEnergies{}};
+  ElementCurve curve{.test = test.name, .energies = ElementEnergies{}};
   ElementRows rows(law, v.number("specimen.void_ratio"), v.number("output.every_strain"), path.friction, path.water,
                    watch, curve.rows);
   MaterialPoint mean{.state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
@@ -49,7 +51,7 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
   KineticShare kinetic;
   TimeStepWatch time_step;
   const auto check = [&] {
-    kinetic.record(prescribed_strain(mean, v), simulation.energies());
+    kinetic.record(driven_strain(mean, test), simulation.energies());
     time_step.record(simulation);
     curve.energies->stress_spread = std::fmax(curve.energies->stress_spread, stress_spread(simulation, mean.stress));
   };
@@ -61,7 +63,7 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
   });
   loop.until("interrupt", [&] { return interrupted; })
       .until("limit", [&] { return curve.steps > 0 && stage.until && stage.until->reached(mean, path.water); })
-      .until("strain", [&] { return prescribed_strain(mean, v) >= v.number("loading.final_strain"); });
+      .until("strain", [&] { return driven_strain(mean, test) >= v.number("loading.final_strain"); });
   follow();
   try {
     const std::string end = loop.go();

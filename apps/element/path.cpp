@@ -1,6 +1,7 @@
 #include "apps/element/path.hpp"
 
 #include "apps/element/path_keys.hpp"
+#include "apps/element/tests/tests.hpp"
 #include "core/base/error.hpp"
 #include "core/io/units.hpp"
 
@@ -12,39 +13,27 @@ namespace riedel {
 
 namespace {
 
-using Wishes = std::vector<std::pair<const char*, std::optional<double>>>;
 constexpr std::optional<double> hold = std::nullopt;
-
-PathLeg leg_of(const Wishes& wishes) {
-  PathLeg leg;
-  for (const auto& [name, target] : wishes) leg.prescriptions.push_back({&find_measure(name), target});
-  return leg;
-}
 
 Sym<double> isotropic(double pressure) { return -pressure * Sym<double>::identity(); }
 
-/// The tests of the paper (oedometer, triaxial compression, shear with free dilatancy) and plane strain compression.
-ElementPath named_path(const Values& v, const std::string& test) {
+/// The conditions of a named test: what is driven goes to the final strain in one leg, the rest stays as it is.
+ElementPath named_path(const Values& v) {
+  const ElementTest& test = element_test(v);
   const double strain = v.number("loading.final_strain");
-  ElementPath path{.stress = {}, .stages = {{.name = test, .legs = {}}}, .friction = Friction::in_plane};
+  ElementPath path{.stress = isotropic(v.number(test.pressure_key)),
+                   .stages = {{.name = test.name, .legs = {PathLeg{}}}},
+                   .friction = test.friction};
   PathStage& stage = path.stages.front();
-  Wishes wishes{{"gamma", hold}, {"gamma_13", hold}, {"gamma_23", hold}};
-  if (test == "oedometer") {
-    path.stress = isotropic(v.number("loading.initial_pressure"));
-    wishes.insert(wishes.end(), {{"eps_1", strain}, {"eps_2", hold}, {"eps_3", hold}});
-    stage.until = Stop{.measure = &find_measure("sigma_1"), .above = true, .limit = v.number("loading.final_stress")};
-  } else if (test == "shear") {
-    path.stress = isotropic(v.number("loading.normal_stress"));
-    wishes = {{"gamma", strain}, {"gamma_13", hold}, {"gamma_23", hold},
-              {"eps_1", hold},   {"sigma_2", hold},  {"eps_3", hold}};
-    path.friction = Friction::on_planes;
-  } else {
-    path.stress = isotropic(v.number("loading.confining_pressure"));
-    wishes.insert(wishes.end(),
-                  {{"eps_1", strain}, {"sigma_2", hold}, {test == "biaxial" ? "eps_3" : "sigma_3", hold}});
-  }
-  stage.legs.push_back(leg_of(wishes));
-  stage.legs.front().duration = strain / v.number("loading.rate");
+  PathLeg& leg = stage.legs.front();
+  const auto prescribe = [&](const std::string& measure) {
+    leg.prescriptions.push_back({&find_measure(measure), measure == test.driven ? std::optional(strain) : hold});
+  };
+  for (const char* shear : {"gamma", "gamma_13", "gamma_23"}) prescribe(shear);
+  for (const std::string& measure : test.normal) prescribe(measure);
+  leg.duration = strain / v.number("loading.rate");
+  if (!test.limit_key.empty())
+    stage.until = Stop{.measure = &find_measure(test.limit_measure), .above = true, .limit = v.number(test.limit_key)};
   return path;
 }
 
@@ -161,8 +150,7 @@ LoadStep leg_from(const PathLeg& leg, const MaterialPoint& point, const PoreWate
 }
 
 ElementPath element_path(const Values& values) {
-  const std::string& test = values.text("test");
-  return test == "path" ? given_path(values) : named_path(values, test);
+  return values.text("test") == "path" ? given_path(values) : named_path(values);
 }
 
 } // namespace riedel

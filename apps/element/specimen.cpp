@@ -1,14 +1,12 @@
 #include "apps/element/specimen.hpp"
 
+#include "apps/element/tests/tests.hpp"
 #include "core/step/boundaries/prescribed_velocity.hpp"
 #include "materials/element/wave_speeds.hpp"
 
 namespace riedel {
 
 namespace {
-
-/// How the specimen moves along one axis.
-enum class Motion { held, free, driven };
 
 /// Row numbers and sizes of the specimen in its grid.
 template <int Dim>
@@ -23,7 +21,7 @@ struct Frame {
       : edge(v.number("specimen.size")),
         cells(static_cast<Index>(v.integer("grid.cells"))),
         first(scheme.margin() + 1),
-        shear(v.text("test") == "shear"),
+        shear(element_test(v).shears()),
         free_interior(v.text("specimen.interior") == "free") {
     grid.cell.setConstant(edge / cells);
     grid.origin = -static_cast<double>(first) * grid.cell;
@@ -39,21 +37,14 @@ struct Frame {
   }
 };
 
-Motion motion_along(const std::string& test, int axis) {
-  if (axis == 0) return Motion::driven;
-  if (test == "shear") return axis == 1 ? Motion::free : Motion::held;
-  if (test == "triaxial") return Motion::free;
-  return test == "biaxial" && axis == 1 ? Motion::free : Motion::held;
-}
-
 /// The pair of plates normal to an axis, and the nodes beyond them, which move as if the specimen went on there: a
 /// domain that reaches over the edge then sees the same gradient. The nodes between the plates go along, or are free.
 template <int Dim>
-VelocityOnNodes<Dim> plates(const Frame<Dim>& frame, int axis, Motion motion, const VelocityCourse& drive) {
+VelocityOnNodes<Dim> plates(const Frame<Dim>& frame, int axis, PlateMotion motion, const VelocityCourse& drive) {
   const Index moving = frame.first + frame.cells;
   VelocityOnNodes<Dim> condition{.name = "plates " + std::to_string(axis + 1), .last = frame.last_node(), .axis = axis};
-  if (motion == Motion::held) condition.velocity = [](double) { return 0.0; };
-  if (motion == Motion::driven) condition.velocity = drive;
+  if (motion == PlateMotion::held) condition.velocity = [](double) { return 0.0; };
+  if (motion == PlateMotion::driven) condition.velocity = drive;
   condition.linear = LinearMotion{.axis = axis, .fixed_row = frame.first, .moving_row = moving};
   if (frame.free_interior && frame.cells > 1) {
     Counts<Dim> from{}, to = condition.last;
@@ -80,11 +71,11 @@ void set_boundaries(Model<Dim>& model, const Frame<Dim>& frame, const Values& v)
   const double sense = frame.shear ? 1.0 : -1.0;
   const auto drive = ramped(sense * v.number("loading.speed"), v.number("loading.ramp_time"));
   for (int axis = 0; axis < Dim; ++axis) {
-    const Motion motion = motion_along(v.text("test"), axis);
+    const PlateMotion motion = element_test(v).plates[static_cast<std::size_t>(axis)];
     const bool slides = frame.shear && axis < 2;
     model.conditions.push_back(
         prescribe(slides ? sheared_planes(frame, axis, drive) : plates(frame, axis, motion, drive)));
-    if (motion == Motion::held || (frame.shear && axis == 0)) continue;
+    if (motion == PlateMotion::held || (frame.shear && axis == 0)) continue;
     model.moving_grids.push_back({.axis = axis,
                                   .fixed_row = frame.first,
                                   .moving_row = frame.first + frame.cells,
@@ -117,7 +108,7 @@ void fill(Body<Dim>& body, const Frame<Dim>& frame, const Values& v, const Sym<d
 } // namespace
 
 int dimensions_of_element(const Values& values) {
-  if (values.is_text("grid.dimensions")) return values.text("test") == "triaxial" ? 3 : 2;
+  if (values.is_text("grid.dimensions")) return element_test(values).dimensions;
   return static_cast<int>(values.number("grid.dimensions"));
 }
 
@@ -132,7 +123,7 @@ Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const 
            element_step_defaults);
   const Frame<Dim> frame(v, *model.scheme);
   set_boundaries(model, frame, v);
-  if (v.text("test") != "oedometer") model.confining_pressure = -stress.m[1];
+  if (element_test(v).confined) model.confining_pressure = -stress.m[1];
   State<Dim> state;
   state.grid = frame.grid;
   Body<Dim>& body = state.bodies.emplace_back();

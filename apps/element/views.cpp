@@ -1,6 +1,7 @@
 #include "apps/element/views.hpp"
 
 #include "apps/element/pictures.hpp"
+#include "apps/element/tests/tests.hpp"
 #include "core/base/error.hpp"
 #include "core/io/figure_json.hpp"
 
@@ -19,9 +20,7 @@ std::string figure(const ordered_json& summary, const char* name, double unit, i
 }
 
 /// The strain that a test is told by.
-const char* strain_of(const ordered_json& summary) {
-  return text_in(summary, "test", "") == "shear" ? "gamma" : "eps_1";
-}
+const char* strain_of(const ordered_json& summary) { return shears(text_in(summary, "test", "")) ? "gamma" : "eps_1"; }
 
 /// What pictures show of a run, as it was written.
 ElementCurve curve_of(const RunResult& run) {

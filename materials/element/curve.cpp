@@ -39,19 +39,19 @@ ElementRow element_row(const MaterialPoint& point, double void_ratio, Friction f
   return row;
 }
 
-std::vector<std::string> element_columns(const std::string& test, bool water) {
+std::vector<std::string> element_columns(bool sheared, bool water) {
   std::vector<std::string> names{"eps_1",      "eps_2",      "eps_3",  "gamma",      "sigma_1_Pa",
                                  "sigma_2_Pa", "sigma_3_Pa", "tau_Pa", "void_ratio", "phi_mob_deg"};
-  if (test == "shear") names.emplace_back("phi_principal_deg");
+  if (sheared) names.emplace_back("phi_principal_deg");
   names.insert(names.end(), {"time_s", "stage", "cycle", "p_Pa", "q_Pa"});
   if (water) names.emplace_back("pore_pressure_Pa");
   return names;
 }
 
-std::vector<double> element_numbers(const ElementRow& r, const std::string& test, bool water) {
+std::vector<double> element_numbers(const ElementRow& r, bool sheared, bool water) {
   std::vector<double> numbers{r.eps[0],   r.eps[1],   r.eps[2], r.gamma,      r.sigma[0],
                               r.sigma[1], r.sigma[2], r.tau,    r.void_ratio, r.phi_mob};
-  if (test == "shear") numbers.push_back(r.phi_principal);
+  if (sheared) numbers.push_back(r.phi_principal);
   const auto stage = static_cast<double>(r.stage), cycle = static_cast<double>(r.cycle);
   numbers.insert(numbers.end(), {r.time, stage, cycle, r.p(), r.q()});
   if (water) numbers.push_back(r.pore_pressure);

@@ -92,7 +92,7 @@ public:
     Columns position(2);
     position.resize(cells);
     for (Index p = 0; p < cells; ++p) position[1][p] = (p + 0.5) * thickness / cells, position[0][p] = 0.0;
-    averager_->follow(position);
+    averager_->update_neighbours(position);
     bench_.averaged.assign(static_cast<std::size_t>(cells) + pack_size, 0.0);
     // A weak zone in the middle, 5 mm thick whatever the cells, starts the band.
     for (Index p = 0; p < cells; ++p)

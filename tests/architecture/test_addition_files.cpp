@@ -1,4 +1,4 @@
-// What docs/CONTRIBUTING.md says of a new transfer of velocities: a pair of files and one line.
+// How many files docs/CONTRIBUTING.md says that a new transfer of velocities and a new element test take.
 #include "architecture/rules.hpp"
 
 #include <algorithm>
@@ -36,6 +36,32 @@ TEST(House, KeepsATransferInAPairOfFilesAndALineOfTheRegister) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
   EXPECT_GE(transfers, 4);
+}
+
+/// Names of element tests, by their files; the biaxial one shares its name with a command.
+std::vector<std::string> names_of_element_tests(const std::vector<SourceFile>& files) {
+  const std::string folder = "apps/element/tests/";
+  std::vector<std::string> names;
+  for (const SourceFile& file : files)
+    if (file.path.starts_with(folder) && file.path.ends_with(".cpp"))
+      names.push_back(file.path.substr(folder.size(), file.path.size() - folder.size() - 4));
+  std::erase_if(names, [](const std::string& name) { return name == "test" || name == "tests" || name == "biaxial"; });
+  return names;
+}
+
+TEST(House, NamesAnElementTestInItsOwnFileAlone) {
+  const std::vector<SourceFile> files = read_tree(SOURCE_DIR);
+  const std::vector<std::string> names = names_of_element_tests(files);
+  EXPECT_GE(names.size(), 3U);
+  // Examples of a help text, the test of a case that names none, and the paper's.
+  const std::vector<std::string> may{"apps/commands.cpp", "apps/element/keys.hpp",
+                                     "apps/reproduce/element_figures.cpp"};
+  for (const std::string& name : names)
+    for (const SourceFile& file : files) {
+      if (file.path.starts_with("tests/") || file.path == "apps/element/tests/" + name + ".cpp") continue;
+      if (std::ranges::find(may, file.path) != may.end()) continue;
+      EXPECT_EQ(file.text.find('"' + name + '"'), std::string::npos) << file.path << " names " << name;
+    }
 }
 
 } // namespace
