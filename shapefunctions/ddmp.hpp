@@ -20,7 +20,7 @@ public:
   }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
-  [[nodiscard]] bool supports_apic() const override { return false; } // its weights are hats
+  [[nodiscard]] bool supports_affine() const override { return false; } // its weights are hats
   [[nodiscard]] bool gradients_follow_weights() const override { return false; }
   /// How near a point comes to the node, the filling of the cell above it, and 1 over the filled volume around it.
   [[nodiscard]] int node_data_size() const override { return 3; }

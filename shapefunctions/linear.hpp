@@ -14,7 +14,7 @@ public:
   [[nodiscard]] SchemeTraits traits() const override { return {.balances_pressure_on_points = true}; }
   [[nodiscard]] int max_nodes() const override { return power(2, Dim); }
   [[nodiscard]] int margin() const override { return 0; }
-  [[nodiscard]] bool supports_apic() const override { return false; }
+  [[nodiscard]] bool supports_affine() const override { return false; }
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
 };
 

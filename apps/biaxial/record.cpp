@@ -1,5 +1,6 @@
 #include "apps/biaxial/record.hpp"
 
+#include "apps/biaxial/geometry.hpp"
 #include "core/analysis/depth_mean.hpp"
 #include "core/io/figure_json.hpp"
 #include "core/step/boundaries/velocity_course.hpp"
@@ -89,7 +90,7 @@ void BiaxialRun<Dim>::add_row() {
   row.report = state.report;
   row.out_of_bounds = simulation_.out_of_bounds();
   row.true_angle = true_angle(row.force, present_width(state.bodies.front().points, values_), values_);
-  row.quality = cheap_quality(state.bodies.front(), values_);
+  row.quality = cheap_quality(state.bodies.front(), rows_of_points());
   history_->add(std::array{
       static_cast<double>(row.step), row.time, row.u_over_h, row.angle, row.force, row.energies.kinetic,
       row.energies.internal, row.energies.external, row.time_step, static_cast<double>(row.report.substepped),
@@ -101,6 +102,16 @@ void BiaxialRun<Dim>::add_row() {
   kinetic_.record(row.u_over_h, row.energies);
   time_step_.record(simulation_);
   if (at_row_) at_row_(row);
+}
+
+template <int Dim>
+SpecimenRows BiaxialRun<Dim>::rows_of_points() const {
+  const auto [in_row, in_layer] = PointRows(values_);
+  return {.in_row = in_row,
+          .in_layer = in_layer,
+          .across = Turn(values_).rotation.col(0),
+          .void_ratio = values_.specimen.void_ratio,
+          .pressure = values_.loading.confining_pressure};
 }
 
 template <int Dim>

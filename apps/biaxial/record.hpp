@@ -1,8 +1,8 @@
 /// The biaxial test while it runs: advances, records, and tells what it found.
 #pragma once
 
-#include "apps/biaxial/cheap_quality.hpp"
 #include "apps/biaxial/specimen.hpp"
+#include "core/analysis/cheap_quality.hpp"
 #include "core/io/history.hpp"
 #include "core/io/snapshot.hpp"
 #include "core/io/vtk_writer.hpp"
@@ -62,6 +62,7 @@ public:
 private:
   /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].
   [[nodiscard]] double residual_angle(double u_over_h_at_peak) const;
+  [[nodiscard]] SpecimenRows rows_of_points() const;
   void add_up_force();
   void add_row();
   void add_frame();

@@ -1,7 +1,8 @@
-/// What the problems are measured with: a watch, and the norm of an error.
+/// What the problems are measured with: a watch, and the norm of an error (core/analysis/error_norm.hpp).
 #pragma once
 
 #include "apps/verify/block.hpp"
+#include "core/analysis/error_norm.hpp"
 #include "core/run/run.hpp"
 
 #include <ctime>
@@ -36,19 +37,6 @@ private:
 
   std::function<bool()> stop_;
   double spent_ = 0.0, point_steps_ = 0.0; ///< time spent [ns]
-};
-
-/// Relative L2 norm of an error over points, and over time when it is added to step by step.
-class ErrorNorm {
-public:
-  void add(double weight, double difference_squared, double exact_squared) {
-    squared_ += weight * difference_squared;
-    whole_ += weight * exact_squared;
-  }
-  [[nodiscard]] double value() const { return std::sqrt(squared_ / whole_); }
-
-private:
-  double squared_ = 0.0, whole_ = 0.0;
 };
 
 } // namespace riedel

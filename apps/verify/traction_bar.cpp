@@ -5,7 +5,7 @@
 
 #include "apps/riedel.hpp"
 #include "apps/verify/measure.hpp"
-#include "apps/verify/relax.hpp"
+#include "core/run/relax.hpp"
 
 namespace riedel {
 

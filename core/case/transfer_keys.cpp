@@ -51,7 +51,7 @@ void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits
   const auto& schemes = catalogue.in_2d.schemes;
   const std::string &scheme = v.text("scheme"), &transfer = v.text("time.transfer");
   const auto spreads = [&](const std::string& name) {
-    return schemes.find(name).make(v.section("interpolation"))->supports_apic();
+    return schemes.find(name).make(v.section("interpolation"))->supports_affine();
   };
   if (spread == Spread::any || spreads(scheme)) return;
   std::string others;

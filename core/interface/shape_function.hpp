@@ -39,7 +39,7 @@ public:
                         Stencils<Dim>& stencils) const = 0;
   /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
   /// (x_i − x_p) has an inverse, by which affine transfers divide. Hats at a point have none on a line of nodes.
-  [[nodiscard]] virtual bool supports_apic() const { return true; }
+  [[nodiscard]] virtual bool supports_affine() const { return true; }
   /// Whether its gradients are those of its weights. If not, the forces on the nodes see other stresses than the
   /// weights do, and the stress filter, which goes by the weights, is refused.
   [[nodiscard]] virtual bool gradients_follow_weights() const { return true; }

@@ -14,7 +14,7 @@ struct State;
 
 /// What a transfer promises and what it needs. The tests hold every registered transfer to it; cases are checked by it.
 struct TransferTraits {
-  /// Whether the scheme must give each point weight on both sides of it along every axis (`supports_apic`): that does
+  /// Whether the scheme must give each point weight on both sides of it along every axis (`supports_affine`): that does
   /// not matter, or a case is warned, or refused.
   enum class Spread { any, wanted, needed };
 

@@ -63,7 +63,7 @@ void check_transfer(const Model<Dim>& model) {
   if (model.transfer == nullptr)
     throw InputError("the model has no transfer of velocities; leave the default, or take one of the catalogue");
   const TransferTraits traits = model.transfer->traits();
-  if (traits.spread == TransferTraits::Spread::needed && !model.scheme->supports_apic())
+  if (traits.spread == TransferTraits::Spread::needed && !model.scheme->supports_affine())
     throw InputError("the scheme does not go with the transfer: it puts a point on a line of nodes on that line alone");
   for (const StepOrder<Dim>& order : orders_of_step<Dim>)
     if (model.step == order.step && !traits.goes_with(order.name)) {

@@ -27,7 +27,7 @@ public:
 
   [[nodiscard]] int max_nodes() const override { return 0; }
   [[nodiscard]] int margin() const override { return 0; }
-  [[nodiscard]] bool supports_apic() const override { return spreads_; }
+  [[nodiscard]] bool supports_affine() const override { return spreads_; }
   void evaluate(const Grid<Dim>&, const Points<Dim>&, Range, Stencils<Dim>&) const override {}
   [[nodiscard]] Mat<Dim> domain(const Grid<Dim>&, const Points<Dim>&, Index) const override { return Mat<Dim>::Zero(); }
 

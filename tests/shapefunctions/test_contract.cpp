@@ -80,7 +80,7 @@ double least_second_moment(const std::string& name) {
 /// What APIC divides by.
 template <int Dim>
 void a_scheme_that_spreads_points_has_second_moments(const std::string& name) {
-  if (scheme<Dim>(name)->supports_apic()) {
+  if (scheme<Dim>(name)->supports_affine()) {
     EXPECT_GT(least_second_moment<Dim>(name), 0.02);
   } else {
     EXPECT_LT(least_second_moment<Dim>(name), 1e-9);

@@ -66,7 +66,7 @@ inline std::vector<std::string> transfer_names() { return catalogue().in_2d.tran
 /// Whether a transfer goes with a scheme.
 inline bool goes_with(const std::string& transfer_name, const std::string& scheme_name) {
   return transfer<2>(transfer_name)->traits().spread != TransferTraits::Spread::needed ||
-         scheme<2>(scheme_name)->supports_apic();
+         scheme<2>(scheme_name)->supports_affine();
 }
 
 } // namespace riedel::test

@@ -1,10 +1,16 @@
 /// Signs of unsound stresses that cost little to look at in every row of a history.
 #pragma once
 
-#include "apps/biaxial/case.hpp"
 #include "core/step/state.hpp"
 
 namespace riedel {
+
+/// A specimen whose points were numbered row by row, and layer by layer.
+struct SpecimenRows {
+  std::size_t in_row, in_layer; ///< points
+  Vec<2> across;                ///< unit vector along the rows, to the platens' sides
+  double void_ratio, pressure;  ///< at the start [-], from the sides [Pa]
+};
 
 struct CheapQuality {
   /// Rms over the blocks beside the band of third differences over 8, from point to point along the width, of the
@@ -14,9 +20,8 @@ struct CheapQuality {
   double block_velocity = 0.0; ///< mean velocity across the specimen of its upper fifth [m/s]
 };
 
-/// Of the specimen of a biaxial test, whose points were numbered row by row.
 template <int Dim>
-CheapQuality cheap_quality(const Body<Dim>& specimen, const BiaxialCase& values);
+CheapQuality cheap_quality(const Body<Dim>& specimen, const SpecimenRows& rows);
 
 /// How much a velocity swings: rms about the straight line through it, over its mean; not a number of fewer than four.
 double swing(const std::vector<double>& u, const std::vector<double>& velocity);

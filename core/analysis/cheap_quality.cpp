@@ -1,6 +1,4 @@
-#include "apps/biaxial/cheap_quality.hpp"
-
-#include "apps/biaxial/geometry.hpp"
+#include "core/analysis/cheap_quality.hpp"
 
 #include <numeric>
 
@@ -71,11 +69,10 @@ double upper_velocity(const Points<Dim>& points, std::size_t in_layer, const Vec
 } // namespace
 
 template <int Dim>
-CheapQuality cheap_quality(const Body<Dim>& specimen, const BiaxialCase& values) {
-  const auto [in_row, in_layer] = PointRows(values);
-  return {.alternation = alternation(specimen, in_row, values.specimen.void_ratio),
-          .stressless = stressless(specimen.points, least_share * values.loading.confining_pressure),
-          .block_velocity = upper_velocity(specimen.points, in_layer, Turn(values).rotation.col(0))};
+CheapQuality cheap_quality(const Body<Dim>& specimen, const SpecimenRows& rows) {
+  return {.alternation = alternation(specimen, rows.in_row, rows.void_ratio),
+          .stressless = stressless(specimen.points, least_share * rows.pressure),
+          .block_velocity = upper_velocity(specimen.points, rows.in_layer, rows.across)};
 }
 
 double swing(const std::vector<double>& u, const std::vector<double>& velocity) {
@@ -93,7 +90,7 @@ double swing(const std::vector<double>& u, const std::vector<double>& velocity) 
   return std::sqrt(rest / n) / std::abs(mean);
 }
 
-template CheapQuality cheap_quality<2>(const Body<2>&, const BiaxialCase&);
-template CheapQuality cheap_quality<3>(const Body<3>&, const BiaxialCase&);
+template CheapQuality cheap_quality<2>(const Body<2>&, const SpecimenRows&);
+template CheapQuality cheap_quality<3>(const Body<3>&, const SpecimenRows&);
 
 } // namespace riedel

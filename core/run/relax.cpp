@@ -1,4 +1,4 @@
-#include "apps/verify/relax.hpp"
+#include "core/run/relax.hpp"
 
 namespace riedel {
 
