@@ -18,7 +18,8 @@ void mass_and_momentum(const Points<Dim>& points, Index p, PointContributions<Di
   contributions.mass.put(columns);
 }
 
-/// −V_p (σ_p + p I), the stress in excess of the confining pressure.
+/// −V_p (σ_p + p I): the stress in excess of the confining pressure p, whose virtual stress −p I acts outside the
+/// bodies and needs no nodes there (docs/theory/biaxial.md).
 template <int Dim>
 void internal_forces(const Points<Dim>& points, Index p, double pressure, PointContributions<Dim>& contributions) {
   const Pack V = -Pack::load(points.volume[0] + p);
