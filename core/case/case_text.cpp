@@ -6,7 +6,7 @@ namespace riedel {
 
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string answer = "\"";
   for (const char c : text) {
@@ -25,7 +25,7 @@ struct ToText {
   std::string operator()(bool flag) const { return flag ? "true" : "false"; }
   std::string operator()(std::int64_t integer) const { return std::to_string(integer); }
   std::string operator()(double real) const { return exact_text(real); }
-  std::string operator()(const std::string& text) const { return quoted(text); }
+  std::string operator()(const std::string& text) const { return in_quotes(text); }
   template <class Number>
   std::string operator()(const std::vector<Number>& list) const {
     std::string text;
