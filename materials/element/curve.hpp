@@ -62,7 +62,8 @@ enum class Friction { principal, in_plane, on_planes };
 
 ElementRow element_row(const MaterialPoint& point, double void_ratio, Friction friction, double pore_pressure = 0.0);
 
-/// Header of element.csv: with phi_principal_deg where planes are sheared and, with pore water, its pressure at the end.
+/// Header of element.csv: with phi_principal_deg where planes are sheared, and with the pressure of pore water at the
+/// end.
 std::vector<std::string> element_columns(bool sheared, bool water);
 std::vector<double> element_numbers(const ElementRow& row, bool sheared, bool water);
 

@@ -1,27 +1,14 @@
 /// The scheme that docs/howto/add_a_scheme.md walks through: it is what the page shows, keeps the contract, and runs.
 #include "core/step/musl.hpp"
 #include "docs/howto/softened.hpp"
+#include "support/howto_page.hpp"
 #include "support/problems.hpp"
-
-#include <fstream>
-#include <gtest/gtest.h>
-#include <sstream>
 
 namespace riedel::test {
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(SOURCE_DIR) + "/" + path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 TEST(HowtoAddAScheme, ShowsTheExampleAsItStandsInLessThanSixtyLines) {
-  const std::string example = text_of("docs/howto/softened.hpp");
-  ASSERT_FALSE(example.empty());
-  EXPECT_LT(std::ranges::count(example, '\n'), 60);
-  EXPECT_NE(text_of("docs/howto/add_a_scheme.md").find("```cpp\n" + example + "```"), std::string::npos);
+  expect_page_to_show("docs/howto/add_a_scheme.md", "docs/howto/softened.hpp");
 }
 
 template <int Dim>

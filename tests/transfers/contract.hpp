@@ -3,24 +3,13 @@
 #pragma once
 
 #include "core/state/cell_order.hpp"
+#include "support/fields_by_id.hpp"
 #include "transfers/contract_motion.hpp"
 
 #include <cstring>
 #include <omp.h>
 
 namespace riedel::test {
-
-/// All fields of all points, by id.
-template <int Dim>
-std::vector<double> fields_by_id(Simulation<Dim>& simulation) {
-  std::vector<double> all;
-  Points<Dim>& points = simulation.state().bodies[0].points;
-  for (Index id = 0; id < points.size(); ++id)
-    for (const Columns* field : points.fields())
-      for (int c = 0; c < field->components(); ++c)
-        all.push_back((*field)[c][points.place[static_cast<std::size_t>(id)]]);
-  return all;
-}
 
 template <int Dim>
 void expect_the_same_bits_on_any_threads(const TransferPointer<Dim>& chosen, const std::string& scheme_name) {

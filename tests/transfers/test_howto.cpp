@@ -1,25 +1,13 @@
 /// The transfer that docs/howto/add_a_transfer.md walks through: it is what the page shows, and keeps the contract.
 #include "docs/howto/aflip.hpp"
+#include "support/howto_page.hpp"
 #include "transfers/contract.hpp"
-
-#include <fstream>
-#include <sstream>
 
 namespace riedel::test {
 namespace {
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(SOURCE_DIR) + "/" + path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 TEST(HowtoAddATransfer, ShowsTheExampleAsItStandsInLessThanSixtyLines) {
-  const std::string example = text_of("docs/howto/aflip.hpp");
-  ASSERT_FALSE(example.empty());
-  EXPECT_LT(std::ranges::count(example, '\n'), 60);
-  EXPECT_NE(text_of("docs/howto/add_a_transfer.md").find("```cpp\n" + example + "```"), std::string::npos);
+  expect_page_to_show("docs/howto/add_a_transfer.md", "docs/howto/aflip.hpp");
 }
 
 TEST(HowtoAddATransfer, HasAnExampleThatKeepsTheContract) {

@@ -2,6 +2,7 @@
 /// and the dimension.
 #include "core/step/usf.hpp"
 #include "core/step/usl.hpp"
+#include "support/fields_by_id.hpp"
 #include "verification/biaxial.hpp"
 
 #include <cstring>
@@ -14,12 +15,7 @@ namespace {
 /// All fields of all points, by id, and what the run tells of forces and energies.
 template <int Dim>
 std::vector<double> everything(Simulation<Dim>& simulation) {
-  std::vector<double> all;
-  Points<Dim>& points = simulation.state().bodies[0].points;
-  for (Index id = 0; id < points.size(); ++id)
-    for (const Columns* field : points.fields())
-      for (int c = 0; c < field->components(); ++c)
-        all.push_back((*field)[c][points.place[static_cast<std::size_t>(id)]]);
+  std::vector<double> all = fields_by_id(simulation);
   for (const auto& condition : simulation.model().conditions) all.push_back(condition->report().reaction);
   const Energies energies = simulation.energies();
   all.insert(all.end(), {energies.kinetic, energies.internal, energies.external, simulation.time_step()});
