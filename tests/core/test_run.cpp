@@ -45,6 +45,14 @@ TEST(Run, AsksItsStopsInTheirOrderBeforeEachStep) {
   EXPECT_EQ(simulation.state().step, 3) << "a stop that is reached lets no step be taken";
 }
 
+TEST(Run, TakesNoStepWhereAStopIsReachedFromTheStart) {
+  Simulation<2> simulation = resting_block();
+  Loop run(simulation);
+  run.until("first step", [&] { return simulation.state().step == 1; });
+  EXPECT_EQ(run.until(0.0).go(), "time");
+  EXPECT_EQ(simulation.state().step, 0);
+}
+
 TEST(Run, LetsMonitorsAndWritersActInTheOrderInWhichTheyWereAdded) {
   Simulation<2> simulation = resting_block();
   std::string order;
