@@ -8,7 +8,7 @@ namespace riedel {
 /// A specimen whose points were numbered row by row, and layer by layer.
 struct SpecimenRows {
   std::size_t in_row, in_layer; ///< points
-  Vec<2> across;                ///< unit vector along the rows, to the platens' sides
+  Vec<2> across;                ///< unit vector along the rows
   double void_ratio, pressure;  ///< at the start [-], from the sides [Pa]
 };
 
