@@ -1,9 +1,9 @@
 /// A time series for ParaView, read back with VTK.
 #pragma once
 
+#include "support/patterns.hpp"
 #include "temporary_folder.hpp"
 
-#include <regex>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -35,10 +35,10 @@ private:
 /// The frames that a .pvd file lists.
 inline std::vector<std::unique_ptr<VtkFrame>> read_series(const std::filesystem::path& pvd) {
   const std::string text = file_content(pvd);
-  const std::regex entry(R"re(<DataSet timestep="([^"]+)" part="0" file="([^"]+)"/>)re");
+  const std::string entry = R"re(<DataSet timestep="([^"]+)" part="0" file="([^"]+)"/>)re";
   std::vector<std::unique_ptr<VtkFrame>> frames;
-  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it)
-    frames.push_back(std::make_unique<VtkFrame>(pvd.parent_path() / (*it)[2].str(), std::stod((*it)[1])));
+  for (const auto& match : matches_in(text, entry))
+    frames.push_back(std::make_unique<VtkFrame>(pvd.parent_path() / match[2], std::stod(match[1])));
   return frames;
 }
 

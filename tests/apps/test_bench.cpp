@@ -2,6 +2,7 @@
 #include "apps/bench/peers.hpp"
 #include "apps/bench/table.hpp"
 #include "program.hpp"
+#include "support/patterns.hpp"
 #include "support/problems.hpp"
 
 #include <gmock/gmock.h>
@@ -138,7 +139,7 @@ TEST_F(Bench, WritesAnObjectForEveryCase) {
       bench({"--scheme", "linear,cpdi", "--points", "64,2e2", "--material", "gudehus_bauer,linear_elastic", "--length",
              "0,1.5mm", "--search", "cell_list,cgal_kd_tree", "--repeats", "1", "--seconds", "1e-4", "--json", file});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const auto rows = nlohmann::json::parse(file_content(file));
+  const auto rows = json_of(file);
   ASSERT_EQ(rows.size(), 16U); // the elastic law knows no length, and no length no search
   for (const auto& row : rows) {
     for (const char* key : {"scheme", "law", "dimension", "points", "threads", "nonlocal_length", "order",
@@ -190,7 +191,7 @@ TEST_F(Bench, TellsWhatTheMachineCanDo) {
   const Outcome outcome = bench({"--machine", "--repeats", "1", "--seconds", "1e-5", "--json", file});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("triad"), HasSubstr("pow"), HasSubstr("102400")));
-  const auto machine = nlohmann::json::parse(file_content(file)).at(0);
+  const auto machine = json_of(file).at(0);
   EXPECT_GT(machine["fma_GFLOP_per_s"], 0.0);
   EXPECT_GT(machine["bare_kernel"][1]["gimp_ns"], 0.0);
   ASSERT_EQ(machine["laws"].size(), 4U); // both sands, with intergranular strain and without

@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"
+#include "support/patterns.hpp"
 #include "support/schemes.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +31,7 @@ protected:
   [[nodiscard]] Outcome run_coarse(const Words& more, rlim_t largest_file = RLIM_INFINITY) const {
     return run(folder_, coarse_case(out_, more), largest_file);
   }
-  [[nodiscard]] json summary() const { return json::parse(file_content(out_ / "summary.json")); }
+  [[nodiscard]] json summary() const { return json_of(out_ / "summary.json"); }
   [[nodiscard]] Table history() const { return read_csv((out_ / "history.csv").string()); }
 };
 

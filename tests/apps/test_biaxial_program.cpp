@@ -3,6 +3,7 @@
 #include "apps/series.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"
+#include "support/patterns.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -76,7 +77,7 @@ TEST_F(BiaxialProgram, HistoryBeginsWithThePromisedColumnsAndEndsAtTheFinalStrai
 
 TEST_F(BiaxialProgram, SummaryHasThePromisedKeysAndAgreesWithTheHistory) {
   const fs::path out = results("out", {"--set", "output.vtk=false", "--set", "output.plots=false"});
-  const json summary = json::parse(file_content(out / "summary.json"));
+  const json summary = json_of(out / "summary.json");
   EXPECT_THAT(keys_of(summary),
               IsSupersetOf({"case", "scheme", "material", "points", "nodes", "steps", "dt_s", "wall_s",
                             "ns_per_point_step", "threads", "phi_peak_deg", "u_over_h_at_peak", "phi_residual_deg",

@@ -3,6 +3,7 @@
 #include "apps/biaxial/views.hpp"
 #include "apps/kinds.hpp"
 #include "apps/program.hpp"
+#include "core/campaign/read_json.hpp"
 #include "core/campaign/results_table.hpp"
 #include "support/csv.hpp"
 
@@ -27,7 +28,7 @@ protected:
     return run(folder_, coarse_case(folder_ / name, settings));
   }
   [[nodiscard]] ordered_json summary(const std::string& name) const {
-    return ordered_json::parse(file_content(folder_ / name / "summary.json"));
+    return read_json(folder_ / name / "summary.json");
   }
   TemporaryFolder folder_;
 };

@@ -5,6 +5,7 @@
 #include "core/analysis/depth_mean.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ TEST_F(BiaxialSlab, LeavesTheNumbersOfPlaneStrainPerMetreOfDepth) {
     for (std::size_t i = 0; i < a.at(column).size(); ++i)
       EXPECT_NEAR(b.at(column)[i], a.at(column)[i], 1e-5 * std::abs(a.at(column)[i]) + 1e-9) << column << ", row " << i;
   }
-  const json summary = json::parse(file_content(slab / "summary.json"));
+  const json summary = json_of(slab / "summary.json");
   EXPECT_EQ(summary["points"], 2 * in_plane);
   EXPECT_EQ(summary["status"], "done");
   EXPECT_LT(std::abs(summary["mass_error"].get<double>()), 1e-12);

@@ -1,8 +1,8 @@
 /// Folders of campaigns as anybody may have left them: what is read, what is removed, what is told.
 #include "apps/campaign.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
-#include <regex>
 #include <sys/stat.h>
 
 namespace riedel::test {
@@ -129,7 +129,7 @@ TEST_F(Collect, OutlivesDamagedFrames) {
       std::ofstream(entry.path()) << content.substr(0, at) + std::string(40, '\x7f') + content.substr(at);
     collected("");
   }
-  std::ofstream(index) << std::regex_replace(listed, std::regex("file=\"domains/"), "file=\"../../../domains/");
+  std::ofstream(index) << replaced(listed, "file=\"domains/", "file=\"../../../domains/");
   collected("cannot be understood");
   fs::remove_all(frame.parent_path());
   std::ofstream(index) << listed;
@@ -139,8 +139,7 @@ TEST_F(Collect, OutlivesDamagedFrames) {
 TEST_F(Collect, CellsOfTheTableAreNoFormulas) {
   ASSERT_EQ(compare({"--schemes", "gimp", "--vary", "imperfection.centre=[0.5,0.5]"}).code, 0);
   std::string text = file_content(out_ / "campaign.json");
-  text = std::regex_replace(text, std::regex("\"imperfection.centre\": \"[^\"]*\""),
-                            "\"=cmd()\": \"@SUM(1)\", \"negative\": \"-1.5e-3\"");
+  text = replaced(text, "\"imperfection.centre\": \"[^\"]*\"", "\"=cmd()\": \"@SUM(1)\", \"negative\": \"-1.5e-3\"");
   std::ofstream(out_ / "campaign.json") << text;
   ASSERT_EQ(run(folder_, {"collect", out_.string()}).code, 0);
   EXPECT_EQ(results()[0].at("'=cmd()"), "'@SUM(1)");

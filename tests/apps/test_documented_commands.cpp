@@ -4,9 +4,9 @@
 #include "apps/commands.hpp"
 #include "apps/program.hpp"
 #include "core/base/error.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
-#include <regex>
 #include <sstream>
 
 namespace riedel::test {
@@ -52,10 +52,9 @@ Page read_page(const std::string& path) {
 
 /// Code in the text, `like this`, that begins with `beginning`; it may run over the end of a line.
 std::vector<std::string> code_in(const std::string& text, const std::string& beginning) {
-  const std::regex code("`(?:build/release/)?(" + beginning + "[^`]*)`");
   std::vector<std::string> found;
-  for (std::sregex_iterator match(text.begin(), text.end(), code), end; match != end; ++match)
-    found.push_back(std::regex_replace((*match)[1].str(), std::regex("\\s+"), " "));
+  for (const auto& match : matches_in(text, "`(?:build/release/)?(" + beginning + "[^`]*)`"))
+    found.push_back(replaced(match[1], "\\s+", " "));
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include "core/io/table.hpp"
 #include "core/png_pixels.hpp"
 #include "support/csv.hpp"
+#include "support/patterns.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -28,9 +29,7 @@ protected:
     all.insert(all.end(), {"--out", (folder_ / name).string()});
     return run(folder_, all);
   }
-  [[nodiscard]] json summary(const std::string& name) const {
-    return json::parse(file_content(folder_ / name / "summary.json"));
-  }
+  [[nodiscard]] json summary(const std::string& name) const { return json_of(folder_ / name / "summary.json"); }
   [[nodiscard]] riedel::Table curve(const std::string& name) const {
     return read_table(folder_ / name / "element.csv");
   }
@@ -240,7 +239,7 @@ TEST_F(ElementProgram, ChecksItsCasesToo) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr(path + ":3:9: stage.1.eps_1: a leg needs six conditions, and this one has 5"));
   EXPECT_THAT(run(folder_, {"check", "--set", "test=shear"}).out, HasSubstr("normal_stress = 200000.0"));
-  const json schema = json::parse(run(folder_, {"check", "--schema", "--set", "test=path"}).out);
+  const json schema = parsed(run(folder_, {"check", "--schema", "--set", "test=path"}).out);
   EXPECT_TRUE(schema["properties"]["stage"]["items"]["properties"]["leg"]["items"]["properties"].contains("tau"));
 }
 

@@ -1,6 +1,7 @@
 /// What `riedel element` leaves, says of how it ended, and where.
 #include "apps/program.hpp"
 #include "core/io/table.hpp"
+#include "support/patterns.hpp"
 
 #include <chrono>
 #include <gmock/gmock.h>
@@ -24,9 +25,7 @@ protected:
     all.insert(all.end(), {"--out", (folder_ / name).string()});
     return run(folder_, all);
   }
-  [[nodiscard]] json summary(const std::string& name) const {
-    return json::parse(file_content(folder_ / name / "summary.json"));
-  }
+  [[nodiscard]] json summary(const std::string& name) const { return json_of(folder_ / name / "summary.json"); }
   /// Cycles of shear, which lower the pressure, and a stage before them.
   [[nodiscard]] std::string cycles(int rounds, const std::string& until) const {
     return folder_.file("cycles.toml", "[specimen]\nvoid_ratio = 0.7\n[[stage]]\nsigma_1 = 80e3\nsigma_2 = 80e3\n"

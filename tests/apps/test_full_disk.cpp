@@ -1,6 +1,7 @@
 /// A disk that fills at one write after another, from the first to the last of a run.
 #include "apps/program.hpp"
 #include "apps/series.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -65,7 +66,7 @@ TEST_F(FullDisk, EndsTheRunWithTheFilesNameUntilTheResultsAreWrittenAndCostsPict
     EXPECT_EQ(outcome.code, was_done ? 0 : outcome.code);
     if (outcome.code == 0) {
       was_done = true;
-      EXPECT_EQ(json::parse(file_content(out_ / "summary.json"))["status"], "done");
+      EXPECT_EQ(json_of(out_ / "summary.json")["status"], "done");
       EXPECT_THAT(outcome.err, AllOf(HasSubstr("warning: the pictures"), ContainsRegex("[.](png|svg): No space")));
     } else {
       EXPECT_EQ(outcome.code, 3);

@@ -3,18 +3,18 @@
 #include "apps/kinds.hpp"
 #include "apps/reference.hpp"
 #include "core/case/key_tables.hpp"
+#include "support/patterns.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 using namespace riedel;
 using testing::HasSubstr;
 
 TEST(KeyTables, TheHelpMentionsEveryKeyWithDefaultUnitAndRange) {
   const Keys keys = biaxial_keys(fake_catalogue(), paper_model);
-  const std::string text = keys_help(keys, ""), words = std::regex_replace(text, std::regex(R"(\s+)"), " ");
+  const std::string text = keys_help(keys, ""), words = test::replaced(text, R"(\s+)", " ");
   for (const Key& key : keys) {
     EXPECT_THAT(text, HasSubstr("  " + key.name + " "));
     EXPECT_THAT(words, HasSubstr(key.doc));
@@ -47,7 +47,7 @@ TEST(KeyTables, TheReferenceHasARowForEveryKeyAndEveryLaw) {
 
 TEST(KeyTables, TheSchemaDescribesEveryKey) {
   const Catalogue catalogue = fake_catalogue();
-  const auto schema = nlohmann::json::parse(run_kind("biaxial").cases.schema(CaseFile::empty(), catalogue));
+  const auto schema = test::parsed(run_kind("biaxial").cases.schema(CaseFile::empty(), catalogue));
   for (const Key& key : biaxial_keys(catalogue, paper_model)) {
     if (key.name.starts_with("material.")) continue;
     const std::size_t dot = key.name.find('.');
@@ -62,7 +62,7 @@ TEST(KeyTables, TheSchemaDescribesEveryKey) {
 }
 
 TEST(KeyTables, TheSchemaKnowsTheParametersOfEachLaw) {
-  const auto schema = nlohmann::json::parse(run_kind("biaxial").cases.schema(CaseFile::empty(), fake_catalogue()));
+  const auto schema = test::parsed(run_kind("biaxial").cases.schema(CaseFile::empty(), fake_catalogue()));
   const auto& laws = schema["properties"]["material"]["oneOf"];
   ASSERT_EQ(laws.size(), 2);
   EXPECT_TRUE(laws[0]["properties"].contains("phi_c"));
@@ -72,10 +72,10 @@ TEST(KeyTables, TheSchemaKnowsTheParametersOfEachLaw) {
 }
 
 TEST(KeyTables, TheSchemaTakesTextsWithUnits) {
-  const auto schema = nlohmann::json::parse(run_kind("biaxial").cases.schema(CaseFile::empty(), fake_catalogue()));
+  const auto schema = test::parsed(run_kind("biaxial").cases.schema(CaseFile::empty(), fake_catalogue()));
   const auto& width = schema["properties"]["specimen"]["properties"]["width"]["anyOf"];
-  const std::regex quantity(width.at(1).at("pattern").get<std::string>());
+  const auto quantity = width.at(1).at("pattern").get<std::string>();
   for (const char* text : {"1.5 mm", "2650 kg/m3", "-1e-3m", "6 %"})
-    EXPECT_TRUE(std::regex_match(text, quantity)) << text;
-  for (const char* text : {"wide", "0.04", "", "mm"}) EXPECT_FALSE(std::regex_match(text, quantity)) << text;
+    EXPECT_TRUE(test::matches_whole(text, quantity)) << text;
+  for (const char* text : {"wide", "0.04", "", "mm"}) EXPECT_FALSE(test::matches_whole(text, quantity)) << text;
 }

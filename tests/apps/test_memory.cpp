@@ -4,6 +4,7 @@
 #include "apps/fake_catalogue.hpp"
 #include "apps/program.hpp"
 #include "core/run/memory_there.hpp"
+#include "support/patterns.hpp"
 #include "support/problems.hpp"
 
 #include <cstdlib>
@@ -134,7 +135,7 @@ TEST_F(Memory, AndThreadsThatTheSystemDoesNotGiveEndTheRunWithASummary) {
   words.insert(words.begin(), {"biaxial", "--threads", "900", "--out", (folder_ / "run").string()});
   EXPECT_EQ(limited("-v 3000000 -s 8192", words), 3);
   EXPECT_THAT(file_content(folder_ / "err"), ContainsRegex("the system gives [0-9]+ of 900 threads"));
-  const auto summary = nlohmann::json::parse(file_content(folder_ / "run" / "summary.json"));
+  const auto summary = json_of(folder_ / "run" / "summary.json");
   EXPECT_EQ(summary["status"], "failed");
   EXPECT_THAT(summary["reason"].get<std::string>(), HasSubstr("threads"));
 }

@@ -3,10 +3,10 @@
 #include "apps/series.hpp"
 #include "core/io/snapshot.hpp"
 #include "core/setup/weak_zone.hpp"
+#include "support/patterns.hpp"
 #include "support/problems.hpp"
 
 #include <gmock/gmock.h>
-#include <regex>
 
 namespace riedel::test {
 namespace {
@@ -28,14 +28,12 @@ void PrintTo(const Array& array, std::ostream* out) {
 
 Arrays documented() {
   const std::string text = file_content(fs::path(SOURCE_DIR) / "docs/paraview.md");
-  const std::regex row(R"re(\n\| `(\w+)` \| (\d) \| ([^|]+) \| [^|]*\|)re");
+  const std::string row = R"re(\n\| `(\w+)` \| (\d) \| ([^|]+) \| [^|]*\|)re";
   Arrays arrays;
-  for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it) {
-    Array& array = arrays[(*it)[1]];
-    array.components = std::stoi((*it)[2]);
-    const std::string units = (*it)[3];
-    const std::regex unit("[^, ]+");
-    for (std::sregex_iterator u(units.begin(), units.end(), unit); u != end; ++u) array.units.insert(u->str());
+  for (const auto& match : matches_in(text, row)) {
+    Array& array = arrays[match[1]];
+    array.components = std::stoi(match[2]);
+    for (const auto& unit : matches_in(match[3], "[^, ]+")) array.units.insert(unit[0]);
   }
   return arrays;
 }

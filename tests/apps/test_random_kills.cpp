@@ -1,6 +1,7 @@
 /// Programs that are killed at instants that nobody has chosen. RIEDEL_KILLS says how many (tests/random_kills).
 #include "apps/campaign.hpp"
 #include "apps/series.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -49,13 +50,13 @@ protected:
   }
   /// What makes a run's result, without the time that it took.
   static std::string result_in(const fs::path& run) {
-    json summary = json::parse(file_content(run / "summary.json"));
+    json summary = json_of(run / "summary.json");
     for (const char* time : {"wall_s", "ns_per_point_step", "threads"}) summary.erase(time);
     return summary.dump() + file_content(run / "history.csv") + file_content(run / "case.toml");
   }
   static std::string status_of(const fs::path& run) {
     if (!fs::exists(run / "summary.json")) return "";
-    return json::parse(file_content(run / "summary.json"))["status"].get<std::string>();
+    return json_of(run / "summary.json")["status"].get<std::string>();
   }
   static bool is_done(const fs::path& run) { return status_of(run) == "done"; }
   /// Rows that come when they are due: a run that is told to stop adds the moment of that.

@@ -1,6 +1,7 @@
 /// docs/howto/read_results.md: every column and key that a run writes is in its tables, and the other way round; the
 /// snippets run.
 #include "apps/program.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -41,7 +42,7 @@ Names columns_of(const fs::path& csv) {
 }
 
 Names keys_of(const fs::path& json) {
-  const auto summary = nlohmann::json::parse(file_content(json));
+  const auto summary = json_of(json);
   Names names;
   for (const auto& [name, value] : summary.items())
     if (value.is_object())

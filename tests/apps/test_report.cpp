@@ -1,11 +1,11 @@
 /// The page of a campaign: its parts, and what a browser makes of it.
 #include "apps/campaign.hpp"
 #include "core/campaign/report.hpp"
+#include "support/patterns.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 namespace riedel::test {
 namespace {
@@ -59,10 +59,10 @@ std::vector<std::pair<double, double>> labels_on_bar(const Interval& range) {
   Page page("p");
   page.pictures({.caption = "", .pictures = {}, .label = "e", .range = range});
   const std::string html = page.html();
-  const std::regex label(R"re(<text x="([^"]+)" y="31" text-anchor="middle">([^<]+)</text>)re");
+  const std::string label = R"re(<text x="([^"]+)" y="31" text-anchor="middle">([^<]+)</text>)re";
   std::vector<std::pair<double, double>> ends;
-  for (std::sregex_iterator it(html.begin(), html.end(), label), end; it != end; ++it) {
-    const double x = std::stod((*it)[1]), half = 0.5 * text_width((*it)[2], 11);
+  for (const auto& match : matches_in(html, label)) {
+    const double x = std::stod(match[1]), half = 0.5 * text_width(match[2], 11);
     ends.emplace_back(x - half, x + half);
   }
   return ends;
@@ -108,7 +108,7 @@ document.documentElement.dataset.seen = JSON.stringify(seen);
   const std::size_t start = dom.find("data-seen=\"") + 11;
   std::string json = dom.substr(start, dom.find('"', start) - start);
   for (std::size_t at = 0; (at = json.find("&quot;")) != std::string::npos;) json.replace(at, 6, "\"");
-  return nlohmann::json::parse(json);
+  return parsed(json);
 }
 
 std::string browser_on_path() {

@@ -4,6 +4,7 @@
 #include "apps/biaxial/sense.hpp"
 #include "apps/program.hpp"
 #include "core/setup/random_field.hpp"
+#include "support/patterns.hpp"
 #include "verification/biaxial.hpp"
 
 #include <gmock/gmock.h>
@@ -110,7 +111,7 @@ TEST(Sense, CheckTellsWhatAnElementTestIsExpectedToTake) {
   ASSERT_NE(told.find(head), std::string::npos) << told;
   EXPECT_THAT(told, ContainsRegex("# cells: 4 .2 x 2. of 5 mm\n# threads: [0-9]+"));
   ASSERT_EQ(run(folder, element).code, 0);
-  const auto summary = nlohmann::json::parse(file_content(folder / "out/summary.json"));
+  const auto summary = json_of(folder / "out/summary.json");
   const double expected = std::stod(told.substr(told.find(head) + head.size())), made = summary["steps"];
   EXPECT_GT(expected, 0.7 * made);
   EXPECT_LT(expected, 2.0 * made);

@@ -4,6 +4,7 @@
 #include "apps/program.hpp"
 #include "apps/verify/tables.hpp"
 #include "core/io/commit.hpp"
+#include "support/patterns.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -91,7 +92,7 @@ TEST(Version, StandsInEverySummary) {
   EXPECT_EQ(results_json({BenchResult{}})[0]["version"], version());
   const TemporaryFolder folder;
   const std::filesystem::path out = folder / "out";
-  const auto told = [&](const char* file) { return nlohmann::json::parse(file_content(out / file))["version"]; };
+  const auto told = [&](const char* file) { return json_of(out / file)["version"]; };
   ASSERT_EQ(run(folder, {"element", "triaxial", "--set", "loading.final_strain=0.001", "--set", "output.plots=false",
                          "--out", out.string()})
                 .code,

@@ -1,11 +1,11 @@
 /// Where a plot's parts stand: nothing is cut off, nothing lies on anything else, whatever the texts and the numbers.
 #include "core/draw/plot_layout.hpp"
 #include "core/draw/text_lines.hpp"
+#include "support/patterns.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
-#include <regex>
 
 namespace riedel {
 namespace {
@@ -159,8 +159,7 @@ TEST(PlotDrawing, SaysWhereThereIsNothing) {
 }
 
 std::ptrdiff_t count(const std::string& text, const std::string& pattern) {
-  const std::regex expression(pattern);
-  return std::distance(std::sregex_iterator(text.begin(), text.end(), expression), {});
+  return std::ssize(test::matches_in(text, pattern));
 }
 
 TEST(PlotDrawing, ShowsAPointThatStandsAlone) {

@@ -1,5 +1,6 @@
 #include "core/base/error.hpp"
 #include "core/io/vtk_writer.hpp"
+#include "support/patterns.hpp"
 
 #include <csignal>
 #include <gmock/gmock.h>
@@ -16,7 +17,6 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <fstream>
-#include <regex>
 
 namespace riedel {
 namespace {
@@ -82,10 +82,9 @@ std::vector<double> values_of(vtkDataArray* array) {
 
 std::vector<double> times_in(const fs::path& pvd) {
   const std::string text = text_of(pvd);
-  const std::regex entry(R"re(<DataSet timestep="([^"]+)" part="0" file="[^"]+"/>)re");
+  const std::string entry = R"re(<DataSet timestep="([^"]+)" part="0" file="[^"]+"/>)re";
   std::vector<double> times;
-  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it)
-    times.push_back(std::stod((*it)[1]));
+  for (const auto& match : test::matches_in(text, entry)) times.push_back(std::stod(match[1]));
   return times;
 }
 
