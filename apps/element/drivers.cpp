@@ -18,8 +18,8 @@ std::vector<std::string> element_driver_names() {
   return names;
 }
 
-const ElementDriver& element_driver(const Values& values) {
-  return *std::ranges::find(element_drivers(), values.text("driver.kind"), &ElementDriver::name);
+const ElementDriver& element_driver(const ElementCase& given) {
+  return *std::ranges::find(element_drivers(), given.driver.kind, &ElementDriver::name);
 }
 
 } // namespace riedel

@@ -1,6 +1,7 @@
-/// Who carries out an element test: from a validated case to a curve.
+/// Who carries out an element test: from a case to a curve.
 #pragma once
 
+#include "apps/element/case.hpp"
 #include "core/interface/catalogue.hpp"
 #include "materials/element/rows.hpp"
 
@@ -9,19 +10,19 @@ namespace riedel {
 /// A driver returns what came out, also when the material could not follow: then `failure` says why.
 struct ElementDriver {
   std::string name, summary;
-  ElementCurve (*run)(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+  ElementCurve (*run)(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch);
 };
 
 /// A line each.
 const std::vector<ElementDriver>& element_drivers();
 std::vector<std::string> element_driver_names();
-/// The driver that `driver.kind` names.
-const ElementDriver& element_driver(const Values& values);
+/// The driver that the case names.
+const ElementDriver& element_driver(const ElementCase& given);
 
 /// One point under mixed control.
-ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+ElementCurve run_point_driver(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch);
 
 /// A specimen of cells between smooth plates, under any scheme.
-ElementCurve run_mpm_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch);
+ElementCurve run_mpm_driver(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch);
 
 } // namespace riedel

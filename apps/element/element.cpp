@@ -35,6 +35,7 @@ namespace {
 struct ElementRun {
   Variant variant;
   CheckedCase checked;
+  ElementCase given;
   std::filesystem::path folder;
 };
 
@@ -79,7 +80,8 @@ std::vector<ElementRun> runs_of(const Arguments& arguments, const std::string& t
     CheckedCase checked = element_case(variant.given, catalogue);
     const std::filesystem::path place = variant.name.empty() ? folder : folder / variant.name;
     cases.push_back({variant.name, case_text(checked.keys, checked.values)});
-    runs.push_back({std::move(variant), std::move(checked), place});
+    const ElementCase given(checked.values);
+    runs.push_back({std::move(variant), std::move(checked), given, place});
   }
   refuse_same_cases(cases);
   return runs;
@@ -87,10 +89,10 @@ std::vector<ElementRun> runs_of(const Arguments& arguments, const std::string& t
 
 nlohmann::ordered_json summary_head(const ElementRun& run) {
   return {{"case", "element"},
-          {"test", run.checked.values.text("test")},
+          {"test", run.given.test},
           {"version", version()},
-          {"driver", run.checked.values.text("driver.kind")},
-          {"material", run.checked.values.text("material.model")}};
+          {"driver", run.given.driver.kind},
+          {"material", run.given.material.model}};
 }
 
 void write_summary(const ElementRun& run, const ElementCurve& curve, double wall) {
@@ -98,10 +100,6 @@ void write_summary(const ElementRun& run, const ElementCurve& curve, double wall
   all.update(element_summary(curve));
   all["wall_s"] = wall;
   write_atomically(run.folder / "summary.json", json_text(all));
-}
-
-std::unique_ptr<Material> law_of(const Values& values, const Catalogue& catalogue) {
-  return catalogue.materials.find(values.text("material.model")).make(values.section("material"));
 }
 
 /// What all runs of a command share.
@@ -114,22 +112,24 @@ struct Manner {
 
 /// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
 ElementCurve carry_out(const ElementRun& run, const Manner& manner) {
-  const Values& values = run.checked.values;
-  const std::string& test = values.text("test");
-  write_atomically(run.folder / "case.toml", case_text(run.checked.keys, values));
+  const ElementCase& given = run.given;
+  const bool shear = shears(given.test);
+  write_atomically(run.folder / "case.toml", case_text(run.checked.keys, run.checked.values));
   const auto start = std::chrono::steady_clock::now();
-  const PoreWater water = element_path(values).water;
-  History history(run.folder / "element.csv", element_columns(shears(test), water.present()));
+  const PoreWater water = element_path(given).water;
+  History history(run.folder / "element.csv", element_columns(shear, water.present()));
   std::optional<IncrementalOutput> output;
   const auto write_row = [&](const ElementRow& row, const MaterialPoint& point) {
-    history.add(element_numbers(row, shears(test), water.present()));
+    history.add(element_numbers(row, shear, water.present()));
     if (manner.imported && !output)
-      output.emplace(run.folder / "output.txt", *law_of(values, manner.catalogue), water, values.section("material"));
+      output.emplace(run.folder / "output.txt",
+                     *manner.catalogue.materials.find(given.material.model).make(given.material.parameters), water,
+                     given.material.parameters);
     if (output) output->add(point);
   };
   const ElementWatch watch{
       .at_row = write_row, .stop = [&] { return static_cast<bool>(manner.interrupt); }, .threads = manner.threads};
-  ElementCurve curve = element_driver(values).run(values, manner.catalogue, watch);
+  ElementCurve curve = element_driver(given).run(given, manner.catalogue, watch);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   write_summary(run, curve, wall.count());
   return curve;
@@ -166,8 +166,8 @@ std::string subject_of(const ElementRun& run) {
   const auto fixed = [&](const std::string& key) {
     return values.has(key) && run.variant.label.find(key.substr(key.rfind('.') + 1)) == std::string::npos;
   };
-  std::string subject = ", " + values.text("material.model");
-  if (fixed("specimen.void_ratio")) subject += ", e₀ = " + short_text(values.number("specimen.void_ratio"));
+  std::string subject = ", " + run.given.material.model;
+  if (fixed("specimen.void_ratio")) subject += ", e₀ = " + short_text(run.given.void_ratio);
   for (const auto& [key, symbol] : {std::pair{"loading.confining_pressure", "σ_c"}, {"loading.normal_stress", "σ_n"}})
     if (fixed(key)) subject += std::string(", ") + symbol + " = " + short_text(1e-3 * values.number(key)) + " kPa";
   return subject;
@@ -241,7 +241,7 @@ int element(const Arguments& arguments) {
   std::vector<std::string> pictures;
   for (std::size_t i = 0; i < curves.size(); ++i)
     curves[i].label = legend_label(runs[i].variant.settings, runs[i].checked.keys);
-  if (runs.front().checked.values.flag("output.plots"))
+  if (runs.front().given.plots)
     try_to_write("the pictures", [&] { pictures = draw_element(curves, overlay, subject_of(runs.front()), folder); });
   print_files(folder, runs.front().folder != folder, pictures);
   if (interrupt) print_interruption(curves, runs.size());

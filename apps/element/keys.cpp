@@ -99,20 +99,17 @@ void refine_law(Keys& keys) {
   if (found != keys.end()) found->default_value = element_law_tolerance;
 }
 
-StartPressure start_pressure(const Values& v) {
-  if (v.text("test") == "path") {
-    const auto& sigma = v.numbers("initial.sigma");
-    return {(sigma[0] + sigma[1] + sigma[2]) / 3.0 - v.number("initial.pore_pressure"), "initial.sigma",
-            "initial stress"};
-  }
-  const ElementTest& test = element_test(v);
-  return {v.number(test.pressure_key), test.pressure_key, test.pressure_name};
+StartPressure start_pressure(const ElementCase& given) {
+  if (given.named == nullptr)
+    return {-trace(given.initial.total_stress) / 3.0 - given.initial.pore_pressure, "initial.sigma", "initial stress"};
+  return {given.loading.pressure, given.named->pressure_key, given.named->pressure_name};
 }
 
 /// A start with intergranular strain needs a law that has it, and lies in its elastic range.
-void check_intergranular_strain(const Values& v, std::vector<Finding>& errors) {
+void check_intergranular_strain(const ElementCase& given, std::vector<Finding>& errors) {
+  const Values& v = given.keys;
   double squares = 0.0;
-  for (const double h : v.numbers("initial.intergranular_strain")) squares += h * h;
+  for (const double h : given.initial.intergranular_strain) squares += h * h;
   if (squares == 0.0) return;
   if (!v.has("material.intergranular_strain") || !v.flag("material.intergranular_strain"))
     errors.push_back({{"initial.intergranular_strain"},
@@ -124,39 +121,39 @@ void check_intergranular_strain(const Values& v, std::vector<Finding>& errors) {
 }
 
 /// A specimen of more points would fill the memory before its first step.
-void check_points(const Values& v, std::vector<Finding>& errors) {
+void check_points(const ElementCase::Specimen& specimen, std::vector<Finding>& errors) {
   constexpr double most = 1e7;
-  const double edge = static_cast<double>(v.integer("grid.cells") * v.integer("specimen.points_per_cell"));
-  const double points = std::pow(edge, dimensions_of_element(v));
+  const double points = std::pow(static_cast<double>(specimen.cells * specimen.points_per_cell), specimen.dimensions);
   if (points > most)
     errors.push_back({{"grid.cells", "specimen.points_per_cell"},
-                      exact_text(static_cast<double>(v.integer("grid.cells"))) + " along each edge make " +
-                          rounded(points) + " points; allowed: at most " + rounded(most)});
+                      exact_text(static_cast<double>(specimen.cells)) + " along each edge make " + rounded(points) +
+                          " points; allowed: at most " + rounded(most)});
 }
 
 /// What the mpm driver cannot do.
-void check_specimen(const Values& v, std::vector<Finding>& errors) {
-  const std::string& test = v.text("test");
-  if (test == "path") {
+void check_specimen(const ElementCase& given, std::vector<Finding>& errors) {
+  if (given.named == nullptr) {
     errors.push_back(
         {{"driver.kind"},
          "\"mpm\" carries out no path: its specimen stands between plates; allowed: \"point\", or one of the tests " +
              names_of_tests([](const ElementTest&) { return true; })});
     return;
   }
-  check_points(v, errors);
-  if (v.is_text("grid.dimensions")) return;
-  const double dimensions = v.number("grid.dimensions");
+  check_points(given.specimen, errors);
+  if (given.keys.is_text("grid.dimensions")) return;
+  const double dimensions = given.keys.number("grid.dimensions"); // it may have a fraction
   if (dimensions != 2.0 && dimensions != 3.0)
     errors.push_back({{"grid.dimensions"}, exact_text(dimensions) + " is no number of dimensions; allowed: 2, 3"});
-  else if (dimensions < element_test(v).dimensions)
-    errors.push_back({{"grid.dimensions"}, "2 is plane strain, and a " + test + " test is not; allowed: 3, \"auto\""});
+  else if (dimensions < given.named->dimensions)
+    errors.push_back(
+        {{"grid.dimensions"}, "2 is plane strain, and a " + given.test + " test is not; allowed: 3, \"auto\""});
 }
 
-Diagnostics check_element(const Values& v, const Catalogue& catalogue) {
+Diagnostics check_element(const ElementCase& given, const Catalogue& catalogue) {
+  const Values& v = given.keys;
   Diagnostics found;
   check_limits_of_void_ratio(v, found.errors);
-  const StartPressure start = start_pressure(v);
+  const StartPressure start = start_pressure(given);
   const double least = v.has("material.minimum_pressure") ? v.number("material.minimum_pressure") : -1.0;
   if (start.p + cohesion_pressure(v) <= least)
     found.errors.push_back({{start.key, "material.minimum_pressure"},
@@ -165,17 +162,18 @@ Diagnostics check_element(const Values& v, const Catalogue& catalogue) {
                                 " Pa (material.minimum_pressure): below it the grains are apart"});
   else
     check_void_ratio(v, "specimen.void_ratio", start, found.errors);
-  if (v.text("test") == "path") {
-    check_path(v, found.errors);
-    check_intergranular_strain(v, found.errors);
+  if (given.named == nullptr) {
+    check_path(given, found.errors);
+    check_intergranular_strain(given, found.errors);
   } else {
-    check_rows(v, element_path(v), found.errors);
+    check_rows(given.every_strain, element_path(given), found.errors);
   }
-  if (v.text("driver.kind") == "mpm") check_specimen(v, found.errors);
-  if (v.text("driver.kind") == "mpm" && v.text("test") != "path") {
+  if (given.driver.kind != "mpm") return found;
+  check_specimen(given, found.errors);
+  if (given.named != nullptr) {
     check_step(v, catalogue, found.errors);
     check_interpolation(v, catalogue, found.errors);
-    check_offered(v, catalogue, dimensions_of_element(v), found.errors);
+    check_offered(v, catalogue, given.specimen.dimensions, found.errors);
     check_transfer(v, catalogue, found);
   }
   return found;
@@ -211,7 +209,7 @@ CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
   Keys keys = element_keys(catalogue, known ? wish : usual_element_test, model_of(given));
   if (wish == "path") append(keys, path_keys(given));
   CheckedCase checked = checked_case(
-      given, std::move(keys), [&](const Values& values) { return check_element(values, catalogue); },
+      given, std::move(keys), [&](const Values& values) { return check_element(ElementCase(values), catalogue); },
       [&](std::vector<Finding>& errors) {
         explain_unknown_element_keys(given, known ? wish : usual_element_test, catalogue, errors);
       });

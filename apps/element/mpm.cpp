@@ -2,7 +2,6 @@
 #include "apps/element/drivers.hpp"
 #include "apps/element/path.hpp"
 #include "apps/element/specimen.hpp"
-#include "apps/element/tests/tests.hpp"
 #include "core/base/error.hpp"
 #include "core/io/messages.hpp"
 #include "core/run/run.hpp"
@@ -19,29 +18,27 @@ double driven_strain(const MaterialPoint& mean, const ElementTest& test) {
 }
 
 /// @throws InputError where nobody could wait for the end
-void refuse_endless(const Values& v, double time_step) {
+void refuse_endless(const ElementCase& given, double time_step) {
   constexpr double most_steps = 1e9;
-  const double time = v.number("loading.ramp_time") +
-                      v.number("loading.final_strain") * v.number("specimen.size") / v.number("loading.speed");
+  const auto& [pressure, final_strain, limit, rate, speed, ramp_time] = given.loading;
+  const double time = ramp_time + final_strain * given.specimen.size / speed;
   if (time / time_step > most_steps)
-    throw InputError("loading.speed: " + exact_text(v.number("loading.speed")) + " m/s makes about " +
-                     short_text(time / time_step) + " steps of " + short_text(time_step) + " s; allowed: at most " +
-                     short_text(most_steps));
+    throw InputError("loading.speed: " + exact_text(speed) + " m/s makes about " + short_text(time / time_step) +
+                     " steps of " + short_text(time_step) + " s; allowed: at most " + short_text(most_steps));
 }
 
 template <int Dim>
-ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch& watch) {
+ElementCurve run(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch) {
   constexpr int steps_between_checks = 10; // the sums over the points cost as much as a step does
-  const ElementTest& test = element_test(v);
-  const ElementPath path = element_path(v);
+  const ElementTest& test = *given.named;
+  const ElementPath path = element_path(given);
   const PathStage& stage = path.stages.front();
-  Simulation<Dim> simulation = make_element<Dim>(v, catalogue, path.stress);
-  refuse_endless(v, simulation.time_step());
+  Simulation<Dim> simulation = make_element<Dim>(given, catalogue, path.stress);
+  refuse_endless(given, simulation.time_step());
   ThreadChoice threads(watch.threads);
   const Material& law = *simulation.state().bodies.front().material;
   ElementCurve curve{.test = test.name, .energies = ElementEnergies{}};
-  ElementRows rows(law, v.number("specimen.void_ratio"), v.number("output.every_strain"), path.friction, path.water,
-                   watch, curve.rows);
+  ElementRows rows(law, given.void_ratio, given.every_strain, path.friction, path.water, watch, curve.rows);
   MaterialPoint mean{.state = std::vector<double>(static_cast<std::size_t>(state_components(law.states())))};
   const auto follow = [&] {
     curve.steps = simulation.state().step;
@@ -63,7 +60,7 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
   });
   loop.until("interrupt", [&] { return interrupted; })
       .until("limit", [&] { return curve.steps > 0 && stage.until && stage.until->reached(mean, path.water); })
-      .until("strain", [&] { return driven_strain(mean, test) >= v.number("loading.final_strain"); });
+      .until("strain", [&] { return driven_strain(mean, test) >= given.loading.final_strain; });
   follow();
   try {
     const std::string end = loop.go();
@@ -87,8 +84,8 @@ ElementCurve run(const Values& v, const Catalogue& catalogue, const ElementWatch
 
 } // namespace
 
-ElementCurve run_mpm_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch) {
-  return dimensions_of_element(values) == 3 ? run<3>(values, catalogue, watch) : run<2>(values, catalogue, watch);
+ElementCurve run_mpm_driver(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch) {
+  return given.specimen.dimensions == 3 ? run<3>(given, catalogue, watch) : run<2>(given, catalogue, watch);
 }
 
 } // namespace riedel

@@ -1,6 +1,6 @@
 #include "apps/element/outlook.hpp"
 
-#include "apps/element/specimen.hpp"
+#include "apps/element/case.hpp"
 #include "core/case/outlook_text.hpp"
 #include "core/setup/ramp.hpp"
 #include "materials/element/wave_speeds.hpp"
@@ -20,31 +20,26 @@ struct Steps {
   double count = 0.0;
 };
 
-Steps steps_of(const Values& v, const Catalogue& catalogue) {
-  Steps all{.cells =
-                std::vector<std::int64_t>(static_cast<std::size_t>(dimensions_of_element(v)), v.integer("grid.cells"))};
-  for (const std::int64_t along : all.cells) all.points *= along * v.integer("specimen.points_per_cell");
-  const double edge = v.number("specimen.size");
-  all.cell = edge / v.number("grid.cells");
-  const auto law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
-  double pressure = 0.0; // at the start has a name of its own in each test
-  for (const char* key : {"loading.confining_pressure", "loading.initial_pressure", "loading.normal_stress"})
-    if (v.has(key)) pressure = v.number(key);
-  const double speed = wave_speeds(*law, pressure, v.number("specimen.void_ratio")).at_start;
+Steps steps_of(const ElementCase& given, const Catalogue& catalogue) {
+  const auto& [edge, cells, points_per_cell, dimensions, free_interior] = given.specimen;
+  Steps all{.cells = std::vector<std::int64_t>(static_cast<std::size_t>(dimensions), cells)};
+  for (const std::int64_t along : all.cells) all.points *= along * points_per_cell;
+  all.cell = edge / static_cast<double>(cells);
+  const auto law = catalogue.materials.find(given.material.model).make(given.material.parameters);
+  const double speed = wave_speeds(*law, given.loading.pressure, given.void_ratio).at_start;
+  const Values& v = given.keys;
   all.step = v.is_text("time.step") ? v.number("time.cfl") * all.cell / speed : v.number("time.step");
-  all.count =
-      time_to(v.number("loading.final_strain") * edge, v.number("loading.speed"), v.number("loading.ramp_time")) /
-      all.step;
+  all.count = time_to(given.loading.final_strain * edge, given.loading.speed, given.loading.ramp_time) / all.step;
   return all;
 }
 
 } // namespace
 
-std::string element_outlook(const Values& v, const Catalogue& catalogue, ThreadRange threads) {
+std::string element_outlook(const Values& values, const Catalogue& catalogue, ThreadRange threads) {
+  const ElementCase given(values);
   const std::string head = outlook_head();
-  if (v.text("driver.kind") == "point")
-    return head + outlook_line("expected", "one point, without a grid, on one thread");
-  const Steps s = steps_of(v, catalogue);
+  if (given.driver.kind == "point") return head + outlook_line("expected", "one point, without a grid, on one thread");
+  const Steps s = steps_of(given, catalogue);
   return head +
          outlook_line("expected", std::to_string(s.points) + " points, " + std::to_string(std::llround(s.count)) +
                                       " steps of " + short_text(s.step) + " s") +
@@ -52,12 +47,12 @@ std::string element_outlook(const Values& v, const Catalogue& catalogue, ThreadR
          outlook_line("threads", threads_text(threads));
 }
 
-ExpectedRun expected_element(const Values& v, const Catalogue& catalogue) {
+ExpectedRun expected_element(const Values& values, const Catalogue& catalogue) {
+  const ElementCase given(values);
   constexpr double rows = 1000.0; // of a test at one point, each of some evaluations of the law
-  const bool has_end = v.has("loading.final_strain");
-  ExpectedRun run{.work = rows, .end = has_end ? v.number("loading.final_strain") : 0.0};
-  if (v.text("driver.kind") == "mpm") {
-    const Steps steps = steps_of(v, catalogue);
+  ExpectedRun run{.work = rows, .end = given.loading.final_strain};
+  if (given.driver.kind == "mpm") {
+    const Steps steps = steps_of(given, catalogue);
     run.work = static_cast<double>(steps.points) * steps.count;
   }
   return run;

@@ -1,7 +1,6 @@
 #include "apps/element/path.hpp"
 
 #include "apps/element/path_keys.hpp"
-#include "apps/element/tests/tests.hpp"
 #include "core/base/error.hpp"
 #include "core/io/units.hpp"
 
@@ -18,10 +17,10 @@ constexpr std::optional<double> hold = std::nullopt;
 Sym<double> isotropic(double pressure) { return -pressure * Sym<double>::identity(); }
 
 /// The conditions of a named test: what is driven goes to the final strain in one leg, the rest stays as it is.
-ElementPath named_path(const Values& v) {
-  const ElementTest& test = element_test(v);
-  const double strain = v.number("loading.final_strain");
-  ElementPath path{.stress = isotropic(v.number(test.pressure_key)),
+ElementPath named_path(const ElementCase& given) {
+  const ElementTest& test = *given.named;
+  const double strain = given.loading.final_strain;
+  ElementPath path{.stress = isotropic(given.loading.pressure),
                    .stages = {{.name = test.name, .legs = {PathLeg{}}}},
                    .friction = test.friction};
   PathStage& stage = path.stages.front();
@@ -31,9 +30,9 @@ ElementPath named_path(const Values& v) {
   };
   for (const char* shear : {"gamma", "gamma_13", "gamma_23"}) prescribe(shear);
   for (const std::string& measure : test.normal) prescribe(measure);
-  leg.duration = strain / v.number("loading.rate");
-  if (!test.limit_key.empty())
-    stage.until = Stop{.measure = &find_measure(test.limit_measure), .above = true, .limit = v.number(test.limit_key)};
+  leg.duration = strain / given.loading.rate;
+  if (given.loading.limit)
+    stage.until = Stop{.measure = &find_measure(test.limit_measure), .above = true, .limit = *given.loading.limit};
   return path;
 }
 
@@ -81,14 +80,13 @@ PathLeg given_leg(const Values& v, const std::string& stage, const std::string& 
   return result;
 }
 
-ElementPath given_path(const Values& v) {
-  const std::vector<double>& sigma = v.numbers("initial.sigma");
-  const PoreWater water{.bulk_modulus = v.number("specimen.water_bulk_modulus"),
-                        .initial_pressure = v.number("initial.pore_pressure")};
-  ElementPath path{.stress = water.initial_pressure * Sym<double>::identity(), .stages = {}, .water = water};
-  for (std::size_t c = 0; c < 3; ++c) path.stress.m[c] -= sigma[c];
-  for (const auto& [c, key] : {std::pair{3, "initial.tau"}, {4, "initial.tau_13"}, {5, "initial.tau_23"}})
-    path.stress.m[static_cast<std::size_t>(c)] = std::numbers::sqrt2 * v.number(key);
+ElementPath given_path(const ElementCase& given) {
+  const Values& v = given.keys;
+  const PoreWater water{.bulk_modulus = given.initial.water_bulk_modulus,
+                        .initial_pressure = given.initial.pore_pressure};
+  ElementPath path{.stress = given.initial.total_stress + water.initial_pressure * Sym<double>::identity(),
+                   .stages = {},
+                   .water = water};
   for (int s = 1; v.has(stage_prefix(s) + "repeat"); ++s) {
     const std::string at = stage_prefix(s);
     PathStage& stage = path.stages.emplace_back();
@@ -149,8 +147,8 @@ LoadStep leg_from(const PathLeg& leg, const MaterialPoint& point, const PoreWate
   return result;
 }
 
-ElementPath element_path(const Values& values) {
-  return values.text("test") == "path" ? given_path(values) : named_path(values);
+ElementPath element_path(const ElementCase& given) {
+  return given.named == nullptr ? given_path(given) : named_path(given);
 }
 
 } // namespace riedel

@@ -1,7 +1,7 @@
 /// The path that an element test leads a point along: stages, each a number of legs that may be repeated.
 #pragma once
 
-#include "core/base/parameters.hpp"
+#include "apps/element/case.hpp"
 #include "materials/element/curve.hpp"
 #include "materials/element/measures.hpp"
 
@@ -56,7 +56,7 @@ struct ElementPath {
 /// The leg for a point that stands at its start.
 LoadStep leg_from(const PathLeg& leg, const MaterialPoint& point, const PoreWater& water);
 
-/// The path of a validated element case.
-ElementPath element_path(const Values& values);
+/// The path of a case. @throws InputError for a limit of a stage that says nothing
+ElementPath element_path(const ElementCase& given);
 
 } // namespace riedel

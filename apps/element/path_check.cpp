@@ -99,8 +99,8 @@ double least_rows(const PathStage& stage, double every, Known& known) {
 
 } // namespace
 
-void check_rows(const Values& values, const ElementPath& path, std::vector<Finding>& errors) {
-  const double every = values.number("output.every_strain"), most = most_element_rows;
+void check_rows(double every, const ElementPath& path, std::vector<Finding>& errors) {
+  const double most = most_element_rows;
   Known known;
   for (const Measure& measure : measures()) known[&measure] = 0.0;
   double rows = 0.0;
@@ -120,9 +120,10 @@ void check_rows(const Values& values, const ElementPath& path, std::vector<Findi
   }
 }
 
-void check_path(const Values& values, std::vector<Finding>& errors) {
+void check_path(const ElementCase& given, std::vector<Finding>& errors) {
+  const Values& values = given.keys;
   if (!check_limits(values, errors)) return;
-  const ElementPath path = element_path(values);
+  const ElementPath path = element_path(given);
   if (path.stages.empty())
     errors.push_back({{"test"}, "a path needs at least one [[stage]]; docs/howto/element_paths.md has examples"});
   for (std::size_t s = 0; s < path.stages.size(); ++s)
@@ -135,7 +136,7 @@ void check_path(const Values& values, std::vector<Finding>& errors) {
       if (!check_deformation(values, leg, stage_prefix(stage), own, errors))
         check_leg(leg, keys_of(values, stage, number), errors);
     }
-  check_rows(values, path, errors);
+  check_rows(given.every_strain, path, errors);
 }
 
 } // namespace riedel

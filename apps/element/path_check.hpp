@@ -7,9 +7,10 @@
 namespace riedel {
 
 /// Six conditions in each leg or a deformation gradient, limits that can be read, at least one stage.
-void check_path(const Values& values, std::vector<Finding>& errors);
+void check_path(const ElementCase& given, std::vector<Finding>& errors);
 
 /// A path that nothing ends early must not ask for more rows than can be kept.
-void check_rows(const Values& values, const ElementPath& path, std::vector<Finding>& errors);
+/// @param every strain between rows [-]
+void check_rows(double every, const ElementPath& path, std::vector<Finding>& errors);
 
 } // namespace riedel

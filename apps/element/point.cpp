@@ -7,19 +7,18 @@ namespace riedel {
 
 namespace {
 
-MaterialPoint start_of(const Material& law, const Sym<double>& stress, const Values& values) {
+MaterialPoint start_of(const Material& law, const Sym<double>& stress, const ElementCase& given) {
   MaterialPoint start{.stress = stress, .state = law.initial_state()};
   const int e = state_column(law.states(), "void_ratio");
-  if (e >= 0) start.state[static_cast<std::size_t>(e)] = values.number("specimen.void_ratio");
+  if (e >= 0) start.state[static_cast<std::size_t>(e)] = given.void_ratio;
   const int h = state_column(law.states(), "intergranular_strain");
-  if (h >= 0 && values.has("initial.intergranular_strain"))
+  if (h >= 0)
     for (std::size_t c = 0; c < 3; ++c)
-      if (const double x = values.numbers("initial.intergranular_strain")[c]; x != 0.0)
+      if (const double x = given.initial.intergranular_strain[c]; x != 0.0)
         start.state[static_cast<std::size_t>(h) + c] = -x;
   if (assess(law, start).out_of_bounds > 0)
-    throw InputError("the law does not admit the state at the start: void ratio " +
-                     exact_text(values.number("specimen.void_ratio")) + ", mean pressure " +
-                     exact_text(-trace(stress) / 3.0) + " Pa");
+    throw InputError("the law does not admit the state at the start: void ratio " + exact_text(given.void_ratio) +
+                     ", mean pressure " + exact_text(-trace(stress) / 3.0) + " Pa");
   return start;
 }
 
@@ -77,17 +76,16 @@ private:
 
 } // namespace
 
-ElementCurve run_point_driver(const Values& values, const Catalogue& catalogue, const ElementWatch& watch) {
-  const ElementPath path = element_path(values);
-  const auto law = catalogue.materials.find(values.text("material.model")).make(values.section("material"));
-  const MaterialPoint start = start_of(*law, path.stress, values);
-  ElementCurve curve{.test = values.text("test"), .water = path.water.present()};
-  const double every = values.number("output.every_strain");
+ElementCurve run_point_driver(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch) {
+  const ElementPath path = element_path(given);
+  const auto law = catalogue.materials.find(given.material.model).make(given.material.parameters);
+  const MaterialPoint start = start_of(*law, path.stress, given);
+  ElementCurve curve{.test = given.test, .water = path.water.present()};
   PointDriver driver(*law, start,
-                     {.tolerance = values.number("driver.tolerance"),
-                      .largest_strain = every,
+                     {.tolerance = given.driver.tolerance,
+                      .largest_strain = given.every_strain,
                       .added_stiffness = path.water.bulk_modulus});
-  ElementRows rows(*law, values.number("specimen.void_ratio"), every, path.friction, path.water, watch, curve.rows);
+  ElementRows rows(*law, given.void_ratio, given.every_strain, path.friction, path.water, watch, curve.rows);
   rows.look(start);
   Journey journey(driver, path, watch, rows, curve);
   for (const PathStage& stage : path.stages) {

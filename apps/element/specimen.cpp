@@ -1,6 +1,5 @@
 #include "apps/element/specimen.hpp"
 
-#include "apps/element/tests/tests.hpp"
 #include "core/step/boundaries/prescribed_velocity.hpp"
 #include "materials/element/wave_speeds.hpp"
 
@@ -17,17 +16,17 @@ struct Frame {
   bool shear, free_interior;
   Grid<Dim> grid;
 
-  Frame(const Values& v, const ShapeFunction<Dim>& scheme)
-      : edge(v.number("specimen.size")),
-        cells(static_cast<Index>(v.integer("grid.cells"))),
+  Frame(const ElementCase& given, const ShapeFunction<Dim>& scheme)
+      : edge(given.specimen.size),
+        cells(static_cast<Index>(given.specimen.cells)),
         first(scheme.margin() + 1),
-        shear(element_test(v).shears()),
-        free_interior(v.text("specimen.interior") == "free") {
+        shear(given.named->shears()),
+        free_interior(given.specimen.free_interior) {
     grid.cell.setConstant(edge / cells);
     grid.origin = -static_cast<double>(first) * grid.cell;
     grid.nodes.fill(cells + 2 * first + 1);
     // Sheared points travel through the grid.
-    if (shear) grid.nodes[0] += static_cast<Index>(std::ceil(v.number("loading.final_strain") * cells));
+    if (shear) grid.nodes[0] += static_cast<Index>(std::ceil(given.loading.final_strain * cells));
   }
 
   [[nodiscard]] Counts<Dim> last_node() const {
@@ -67,11 +66,11 @@ VelocityOnNodes<Dim> sheared_planes(const Frame<Dim>& frame, int axis, const Vel
 }
 
 template <int Dim>
-void set_boundaries(Model<Dim>& model, const Frame<Dim>& frame, const Values& v) {
+void set_boundaries(Model<Dim>& model, const Frame<Dim>& frame, const ElementCase& given) {
   const double sense = frame.shear ? 1.0 : -1.0;
-  const auto drive = ramped(sense * v.number("loading.speed"), v.number("loading.ramp_time"));
+  const auto drive = ramped(sense * given.loading.speed, given.loading.ramp_time);
   for (int axis = 0; axis < Dim; ++axis) {
-    const PlateMotion motion = element_test(v).plates[static_cast<std::size_t>(axis)];
+    const PlateMotion motion = given.named->plates[static_cast<std::size_t>(axis)];
     const bool slides = frame.shear && axis < 2;
     model.conditions.push_back(
         prescribe(slides ? sheared_planes(frame, axis, drive) : plates(frame, axis, motion, drive)));
@@ -84,12 +83,12 @@ void set_boundaries(Model<Dim>& model, const Frame<Dim>& frame, const Values& v)
 }
 
 template <int Dim>
-void fill(Body<Dim>& body, const Frame<Dim>& frame, const Values& v, const Sym<double>& stress) {
-  const auto per_edge = static_cast<Index>(frame.cells * v.integer("specimen.points_per_cell"));
+void fill(Body<Dim>& body, const Frame<Dim>& frame, const ElementCase& given, const Sym<double>& stress) {
+  const auto per_edge = static_cast<Index>(frame.cells * given.specimen.points_per_cell);
   const double spacing = frame.edge / per_edge;
   std::vector<double> state = body.material->initial_state();
   const int e = state_column(body.material->states(), "void_ratio");
-  if (e >= 0) state[static_cast<std::size_t>(e)] = v.number("specimen.void_ratio");
+  if (e >= 0) state[static_cast<std::size_t>(e)] = given.void_ratio;
   const double mass = body.material->density(state) * std::pow(spacing, Dim);
   Points<Dim>& points = body.points;
   points.resize(static_cast<Index>(std::pow(per_edge, Dim)), static_cast<int>(state.size()));
@@ -107,29 +106,23 @@ void fill(Body<Dim>& body, const Frame<Dim>& frame, const Values& v, const Sym<d
 
 } // namespace
 
-int dimensions_of_element(const Values& values) {
-  if (values.is_text("grid.dimensions")) return element_test(values).dimensions;
-  return static_cast<int>(values.number("grid.dimensions"));
-}
-
 template <int Dim>
-Simulation<Dim> make_element(const Values& v, const Catalogue& catalogue, const Sym<double>& stress) {
+Simulation<Dim> make_element(const ElementCase& given, const Catalogue& catalogue, const Sym<double>& stress) {
   Model<Dim> model;
-  model.scheme = catalogue.in<Dim>().schemes.find(v.text("scheme")).make(v.section("interpolation"));
-  std::unique_ptr<Material> law = catalogue.materials.find(v.text("material.model")).make(v.section("material"));
+  model.scheme = catalogue.in<Dim>().schemes.find(given.scheme).make(given.interpolation);
+  std::unique_ptr<Material> law = catalogue.materials.find(given.material.model).make(given.material.parameters);
   const double pressure = -(stress.m[0] + stress.m[1] + stress.m[2]) / 3.0;
-  set_step(model, v, catalogue,
-           wave_speeds(*law, pressure, v.number("specimen.void_ratio")).at_start / v.number("specimen.size"),
+  set_step(model, given.keys, catalogue, wave_speeds(*law, pressure, given.void_ratio).at_start / given.specimen.size,
            element_step_defaults);
-  const Frame<Dim> frame(v, *model.scheme);
-  set_boundaries(model, frame, v);
-  if (element_test(v).confined) model.confining_pressure = -stress.m[1];
+  const Frame<Dim> frame(given, *model.scheme);
+  set_boundaries(model, frame, given);
+  if (given.named->confined) model.confining_pressure = -stress.m[1];
   State<Dim> state;
   state.grid = frame.grid;
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "specimen";
   body.material = std::move(law);
-  fill(body, frame, v, stress);
+  fill(body, frame, given, stress);
   return {std::move(model), std::move(state)};
 }
 
@@ -171,8 +164,8 @@ double stress_spread(const Simulation<Dim>& simulation, const Sym<double>& mean)
   return most / norm(mean);
 }
 
-template Simulation<2> make_element<2>(const Values&, const Catalogue&, const Sym<double>&);
-template Simulation<3> make_element<3>(const Values&, const Catalogue&, const Sym<double>&);
+template Simulation<2> make_element<2>(const ElementCase&, const Catalogue&, const Sym<double>&);
+template Simulation<3> make_element<3>(const ElementCase&, const Catalogue&, const Sym<double>&);
 template void follow_element<2>(MaterialPoint&, const Simulation<2>&);
 template void follow_element<3>(MaterialPoint&, const Simulation<3>&);
 template double stress_spread<2>(const Simulation<2>&, const Sym<double>&);

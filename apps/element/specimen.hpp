@@ -1,6 +1,7 @@
 /// The specimen of an element test as a simulation: a cube (a square) between smooth plates.
 #pragma once
 
+#include "apps/element/case.hpp"
 #include "core/case/step_keys.hpp"
 #include "core/interface/catalogue.hpp"
 #include "core/step/simulation.hpp"
@@ -12,15 +13,12 @@ namespace riedel {
 /// some 0.995, 0.02. Where all nodes move in proportion, there is nothing that no node sees.
 constexpr StepDefaults element_step_defaults{.damping = 0.01, .stress_filter = 0.0, .slow_damp_more = false};
 
-/// Two for the tests in plane strain and three for the triaxial one, unless the case says which.
-int dimensions_of_element(const Values& values);
-
-/// Composes a named test from a validated case (docs/theory/element_tests.md). The axes are those of the test: 1 is the
+/// Composes a named test (docs/theory/element_tests.md). The axes are those of the test: 1 is the
 /// direction of loading; in the shear test 1 is the direction of shear and 2 the normal to the sheared planes.
 /// @param stress at the start, tension positive [Pa]
 /// @throws InputError if the test cannot be carried out so
 template <int Dim>
-Simulation<Dim> make_element(const Values& values, const Catalogue& catalogue, const Sym<double>& stress);
+Simulation<Dim> make_element(const ElementCase& given, const Catalogue& catalogue, const Sym<double>& stress);
 
 /// The specimen seen as one point: F is the mean over its first volume, stress and state over its present one. Called
 /// after every step, because natural shear adds up.

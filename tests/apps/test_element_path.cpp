@@ -20,7 +20,9 @@ protected:
   [[nodiscard]] CheckedCase checked(const std::string& text) const {
     return element_case(CaseFile::read(folder_.file("case.toml", text)), catalogue());
   }
-  [[nodiscard]] ElementPath path(const std::string& text) const { return element_path(checked(text).values); }
+  [[nodiscard]] ElementPath path(const std::string& text) const {
+    return element_path(ElementCase(checked(text).values));
+  }
   [[nodiscard]] std::string errors(const std::string& text) const {
     try {
       (void)checked(text);

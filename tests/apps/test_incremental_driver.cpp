@@ -22,7 +22,7 @@ TEST_F(IncrementalDriver, StepsBecomeChangesInOurSigns) {
   EXPECT_EQ(given.values.number("material.h_s"), 190e6);
   EXPECT_EQ(given.values.number("specimen.void_ratio"), 0.6);
   EXPECT_EQ(given.values.numbers("initial.sigma"), (std::vector{100e3, 100e3, 100e3}));
-  const ElementPath path = element_path(given.values);
+  const ElementPath path = element_path(ElementCase(given.values));
   ASSERT_EQ(path.stages.size(), 4U);
   EXPECT_THAT(words(path.stages[0].legs[0]),
               ElementsAre("sigma_2=0", "sigma_3=0", "ln_1=0.05", "ln_12=0", "ln_13=0", "ln_23=0"));

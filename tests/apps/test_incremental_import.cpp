@@ -21,7 +21,7 @@ protected:
   }
   [[nodiscard]] ElementPath path(const std::string& test) const {
     write(test, -100.0);
-    return element_path(imported().values);
+    return element_path(ElementCase(imported().values));
   }
   /// Numbers of the last line of output.txt.
   [[nodiscard]] std::vector<double> last_of(const std::string& name) const {
@@ -56,7 +56,7 @@ TEST_F(IncrementalImport, WaterHoldsTheVolumeOfATestWithoutDrainage) {
   folder_.file("initialconditions.inp", "3\n-200\n-200\n-200\n8\n0\n0\n0\n0\n0\n0\n0\n-100\n");
   const CheckedCase given = imported();
   EXPECT_EQ(given.values.number("specimen.void_ratio"), 0.65) << "statev(7) is 0: the sixteenth parameter";
-  EXPECT_EQ(element_path(given.values).stress.m[0], -100e3) << "effective: 100 of 200 kPa are the water's";
+  EXPECT_EQ(element_path(ElementCase(given.values)).stress.m[0], -100e3) << "effective: 100 of 200 kPa are the water's";
   const std::vector<double> last = last_of("out");
   EXPECT_NEAR(last[9], -200.0, 1e-3) << "total lateral stress";
   EXPECT_NEAR(last[2] + last[3] + last[4], 0.0, 1e-4);

@@ -24,7 +24,8 @@ ElementCurve carry_out(const std::string& test, const std::string& driver, const
   for (const std::string& setting : settings) file.override_with(setting);
   const Values values = element_case(file, catalogue()).values;
   const ElementWatch watch{.at_row = [](const ElementRow&, const MaterialPoint&) {}, .stop = [] { return false; }};
-  return element_driver(values).run(values, catalogue(), watch);
+  const ElementCase given(values);
+  return element_driver(given).run(given, catalogue(), watch);
 }
 
 Columns3 columns(const ElementCurve& curve) {

@@ -205,10 +205,10 @@ std::vector<double> stresses(const std::string& test, const std::string& rate) {
        {"test=" + test, std::string("driver.kind=mpm"), std::string("grid.cells=3"), "time.stress_filter=" + rate,
         std::string("loading.final_strain=0.01"), std::string("loading.speed=0.05")})
     file.override_with(setting);
-  const Values values = element_case(file, catalogue()).values;
+  const ElementCase given(element_case(file, catalogue()).values);
   const ElementWatch watch{.at_row = [](const ElementRow&, const MaterialPoint&) {}, .stop = [] { return false; }};
   std::vector<double> all;
-  for (const ElementRow& row : element_driver(values).run(values, catalogue(), watch).rows) all.push_back(row.sigma[0]);
+  for (const ElementRow& row : element_driver(given).run(given, catalogue(), watch).rows) all.push_back(row.sigma[0]);
   return all;
 }
 

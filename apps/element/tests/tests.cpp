@@ -1,7 +1,6 @@
 #include "apps/element/tests/tests.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace riedel {
 
@@ -14,12 +13,6 @@ const ElementTest* find_element_test(std::string_view name) {
   const std::vector<ElementTest>& all = named_element_tests();
   const auto found = std::ranges::find(all, name, &ElementTest::name);
   return found == all.end() ? nullptr : &*found;
-}
-
-const ElementTest& element_test(const Values& values) {
-  const ElementTest* const test = find_element_test(values.text("test"));
-  if (test == nullptr) throw std::logic_error("'" + values.text("test") + "' is no named test");
-  return *test;
 }
 
 bool shears(std::string_view test) {

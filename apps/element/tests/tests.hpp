@@ -13,8 +13,6 @@ ElementTest biaxial_element_test();
 const std::vector<ElementTest>& named_element_tests();
 /// Null for a path of one's own, and for a name that there is not.
 const ElementTest* find_element_test(std::string_view name);
-/// The test of a case. @throws std::logic_error for a path
-const ElementTest& element_test(const Values& values);
 
 /// Whether the strain that a test is told by is γ; ε1 otherwise.
 bool shears(std::string_view test);
