@@ -97,7 +97,7 @@ std::string typed(const Command& command, const Texts& words) {
   return line;
 }
 
-constexpr int most_threads_allowed = 1024;
+constexpr int max_threads_allowed = 1024;
 
 std::optional<int> whole(std::string_view text) {
   int number = 0;
@@ -117,13 +117,13 @@ std::filesystem::path Arguments::out(const std::filesystem::path& otherwise) con
   return given ? std::filesystem::path(*given) : otherwise;
 }
 
-int Arguments::integer(std::string_view option, int otherwise, int least, int most) const {
+int Arguments::integer(std::string_view option, int otherwise, int minimum, int maximum) const {
   const std::optional<std::string> given = text(option);
   if (!given) return otherwise;
   const std::optional<int> number = whole(*given);
-  if (!number || *number < least || *number > most)
-    throw InputError("--" + std::string(option) + " " + *given + ": allowed: an integer in [" + std::to_string(least) +
-                     ", " + std::to_string(most) + "]");
+  if (!number || *number < minimum || *number > maximum)
+    throw InputError("--" + std::string(option) + " " + *given + ": allowed: an integer in [" +
+                     std::to_string(minimum) + ", " + std::to_string(maximum) + "]");
   return *number;
 }
 
@@ -132,16 +132,16 @@ ThreadRange Arguments::threads() const {
   if (!given) {
     const char* wished = std::getenv("OMP_NUM_THREADS"); // has been read, with all that it may hold, when OpenMP began
     const bool wish = wished != nullptr && *wished != '\0';
-    const int most = std::clamp(wish ? omp_get_max_threads() : omp_get_num_procs(), 1, most_threads_allowed);
-    return {wish ? most : 1, most};
+    const int maximum = std::clamp(wish ? omp_get_max_threads() : omp_get_num_procs(), 1, max_threads_allowed);
+    return {wish ? maximum : 1, maximum};
   }
   const std::size_t dash = given->find('-', 1);
-  const std::optional<int> least = whole(given->substr(0, dash)),
-                           most = dash == std::string::npos ? least : whole(given->substr(dash + 1));
-  if (!least || !most || *least < 1 || *most < *least || *most > most_threads_allowed)
-    throw InputError("--threads " + *given + ": allowed: an integer in [1, " + std::to_string(most_threads_allowed) +
+  const std::optional<int> minimum = whole(given->substr(0, dash)),
+                           maximum = dash == std::string::npos ? minimum : whole(given->substr(dash + 1));
+  if (!minimum || !maximum || *minimum < 1 || *maximum < *minimum || *maximum > max_threads_allowed)
+    throw InputError("--threads " + *given + ": allowed: an integer in [1, " + std::to_string(max_threads_allowed) +
                      "], or a range of them, such as 1-4, from which the program chooses while it runs");
-  return {*least, *most};
+  return {*minimum, *maximum};
 }
 
 Texts Arguments::list(std::string_view option, const Texts& otherwise) const {
@@ -233,8 +233,8 @@ Arguments parse(const Command& command, const std::vector<std::string>& words, s
     arguments.words.pop_back();
     arguments.options["help"];
   }
-  if (!arguments.has("help") && arguments.words.size() > command.most_words)
-    throw InputError("'" + arguments.words[command.most_words] + "' is one word too many; expected: riedel " +
+  if (!arguments.has("help") && arguments.words.size() > command.max_words)
+    throw InputError("'" + arguments.words[command.max_words] + "' is one word too many; expected: riedel " +
                      command.name + " " + command.usage);
   return arguments;
 }

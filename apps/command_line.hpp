@@ -27,7 +27,7 @@ struct Arguments {
   [[nodiscard]] std::filesystem::path out(const std::filesystem::path& otherwise) const; ///< --out
   [[nodiscard]] bool force() const { return has("force"); }
   /// @throws InputError for what is no integer in [least, most]
-  [[nodiscard]] int integer(std::string_view option, int otherwise, int least, int most) const;
+  [[nodiscard]] int integer(std::string_view option, int otherwise, int minimum, int maximum) const;
   /// --threads N, exactly, or A-B; without it OMP_NUM_THREADS, exactly, or from one to all that this process may use.
   /// @throws InputError when it is no positive number and no such range
   [[nodiscard]] ThreadRange threads() const;
@@ -54,7 +54,7 @@ struct Command {
   std::string name;
   std::string usage; ///< what follows the name
   std::string summary;
-  std::size_t most_words; ///< that belong to no option
+  std::size_t max_words; ///< that belong to no option
   Options options;
   int (*run)(const Arguments&); ///< returns the exit code
   /// What `--help` adds at its end; it may depend on the words and settings beside it.

@@ -63,9 +63,9 @@ HypoplasticParts<Real> GudehusBauer::parts(const Sym<Real>& sigma, const Real& e
           .s_dev = s_dev,
           .f_s = f.f_s,
           .f_d = f.f_d,
-          .along = a * a, // (A3)
-          .across = Real(1.0),
-          .radial = a, // (A4)
+          .c_I = a * a, // (A3)
+          .c_ss = Real(1.0),
+          .c_N = a, // (A4)
           .e_bar = f.e_bar};
 }
 

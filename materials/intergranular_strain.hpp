@@ -87,9 +87,9 @@ Rate<Real, 7> IntergranularStrain<Base>::rate(const Sym<Real>& sigma, const Stat
 template <class Base>
 template <class Real>
 Real IntergranularStrain<Base>::stiffness(const HypoplasticParts<Real>& q) const {
-  const Real s_nn = greatest_principal(q), s_squared = dot(q.s, q.s);
-  const Real A = q.along + q.across * s_nn * s_nn, X = Real(0.5) * q.across * s_squared, r = sqrt(A * A + X * X);
-  const Real B = q.f_d * q.radial * (Real(2.0) * s_nn - Real(1.0 / 3.0));
+  const Real s_nn = max_principal(q), s_squared = dot(q.s, q.s);
+  const Real A = q.c_I + q.c_ss * s_nn * s_nn, X = Real(0.5) * q.c_ss * s_squared, r = sqrt(A * A + X * X);
+  const Real B = q.f_d * q.c_N * (Real(2.0) * s_nn - Real(1.0 / 3.0));
   return q.f_s * (Real(with_.m_T) * A +
                   max(Real(0.5 * (with_.m_R - with_.m_T)) * (r + A), Real(0.5 * (with_.m_T - 1.0)) * (r - A) + B));
 }

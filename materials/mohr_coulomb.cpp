@@ -14,10 +14,10 @@ MohrCoulomb::MohrCoulomb(const Values& given) : ElastoplasticLaw(ElastoplasticCo
 }
 
 /// Stress that a unit of flow on the face of two principal stresses takes away, C r.
-Vec<3> MohrCoulomb::flow(int greatest, int least, const Strength<double>& s) const {
+Vec<3> MohrCoulomb::flow(int maximum, int minimum, const Strength<double>& s) const {
   Vec<3> relaxed = Vec<3>::Constant(solid().lambda * s.sin_psi);
-  relaxed[greatest] += solid().mu * (1.0 + s.sin_psi);
-  relaxed[least] -= solid().mu * (1.0 - s.sin_psi);
+  relaxed[maximum] += solid().mu * (1.0 + s.sin_psi);
+  relaxed[minimum] -= solid().mu * (1.0 - s.sin_psi);
   return relaxed; // (4)
 }
 
@@ -72,12 +72,12 @@ Vec<3> MohrCoulomb::returned_in_tension(const Vec<3>& trial) const {
 /// Where face and cut-off meet: σ_1 and σ_3 are given, and σ_2 goes no farther than to one of them.
 Vec<3> MohrCoulomb::returned_to_both(const Vec<3>& trial, const Strength<double>& s) const {
   const double T = strength_.tension_cutoff(), lambda = solid().lambda, mu = solid().mu;
-  const double least = ((1.0 + s.sin_phi) * T - 2.0 * s.cohesive) / (1.0 - s.sin_phi); // (11)
-  const double d_1 = trial[0] - T, d_3 = trial[2] - least;
+  const double minimum = ((1.0 + s.sin_phi) * T - 2.0 * s.cohesive) / (1.0 - s.sin_phi); // (11)
+  const double d_1 = trial[0] - T, d_3 = trial[2] - minimum;
   const double sum = (d_1 - d_3) / (2.0 * mu); // of the multipliers
   const double sheared = (lambda * sum - d_3) / ((lambda + mu) * (1.0 - s.sin_psi));
   const double middle = trial[1] - lambda * (sum - sheared + sheared * s.sin_psi); // (12)
-  return {T, std::clamp(middle, least, T), least};
+  return {T, std::clamp(middle, minimum, T), minimum};
 }
 
 Vec<3> MohrCoulomb::returned(const Vec<3>& trial, const Strength<double>& s) const {

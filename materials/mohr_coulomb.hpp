@@ -41,7 +41,7 @@ private:
   static Real shear(const Real& sigma_1, const Real& sigma_3, const Strength<Real>& s) {
     return Real(0.5) * (sigma_1 - sigma_3) + Real(0.5) * (sigma_1 + sigma_3) * s.sin_phi - s.cohesive; // (1)
   }
-  [[nodiscard]] Vec<3> flow(int greatest, int least, const Strength<double>& s) const;
+  [[nodiscard]] Vec<3> flow(int maximum, int minimum, const Strength<double>& s) const;
   [[nodiscard]] Vec<3> returned_in_shear(const Vec<3>& trial, const Strength<double>& s) const;
   [[nodiscard]] Vec<3> returned_to_edge(const Vec<3>& trial, const Strength<double>& s, int twin, double a,
                                         double b) const;

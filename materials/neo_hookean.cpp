@@ -18,7 +18,7 @@ Sym<double> NeoHookean::stress(const Sym<double>& b) const {
 /// (2) solved for b is b = I + (J σ − λ ln J I)/μ; what remains is det b = J². Newton's method in x = ln J, with steps
 /// cut so that b stays positive.
 Sym<double> NeoHookean::stretch_under(const Sym<double>& sigma) const {
-  constexpr int most_steps = 100;
+  constexpr int max_steps = 100;
   const Spectral principal = spectral(sigma);
   const Vec<3> one = Vec<3>::Ones();
   const auto stretch = [&](double x) -> Vec<3> {
@@ -26,7 +26,7 @@ Sym<double> NeoHookean::stretch_under(const Sym<double>& sigma) const {
   };
   double x = 0.0; // or, where b would not be positive, a stronger compression
   while (!(stretch(x).minCoeff() > 0.0) && x > -10.0) x -= 0.5;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Vec<3> b = stretch(x);
     const Vec<3> slope = (std::exp(x) * principal.values - solid_.lambda * one) / solid_.mu;
     const double f = b.array().log().sum() - 2.0 * x, df = (slope.array() / b.array()).sum() - 2.0; // (6)

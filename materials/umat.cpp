@@ -8,22 +8,22 @@ namespace riedel {
 
 namespace {
 
-constexpr int most_cuts = 1000; ///< parts of one step, and times that it is cut
+constexpr int max_cuts = 1000; ///< parts of one step, and times that it is cut
 
 /// Greatest of nine longitudinal stiffnesses n n : C : n n, along axes and the diagonals between two of them [Pa]; not
 /// a number where one of the entries is none.
 double longitudinal(const std::array<double, 36>& stiffness) {
   const auto C = [&](int i, int j) { return 0.5 * (stiffness[j * 6 + i] + stiffness[i * 6 + j]); };
-  double greatest = 0.0;
-  for (int i = 0; i < 3; ++i) greatest = std::max(greatest, C(i, i));
+  double maximum = 0.0;
+  for (int i = 0; i < 3; ++i) maximum = std::max(maximum, C(i, i));
   for (int k = 3; k < 6; ++k) { // 12, 13, 23
     const int i = k == 5 ? 1 : 0, j = k == 3 ? 1 : 2;
     const double normal = 0.25 * (C(i, i) + C(j, j)) + 0.5 * C(i, j) + C(k, k), mixed = C(i, k) + C(j, k);
-    greatest = std::max(greatest, normal + std::abs(mixed));
+    maximum = std::max(maximum, normal + std::abs(mixed));
   }
   for (const double entry : stiffness)
     if (!std::isfinite(entry)) return std::nan("");
-  return greatest;
+  return maximum;
 }
 
 /// Why a point fails with this answer; empty: it does not.
@@ -125,7 +125,7 @@ std::string_view Umat::advance_in_parts(UmatPoint& point, double share, const Um
                                         MaterialReport& report) const {
   UmatParts parts(point, states_);
   for (int tries = 0; parts.done() < 1.0 - 1e-12; ++tries) {
-    if (tries == most_cuts) return "the UMAT goes on asking for shorter steps (PNEWDT)";
+    if (tries == max_cuts) return "the UMAT goes on asking for shorter steps (PNEWDT)";
     UmatPoint part = parts.next(share);
     const std::array<double, 6> increment = part.call.strain_increment;
     const UmatEnd end = call(part, umat);

@@ -67,9 +67,9 @@ HypoplasticParts<Real> VonWolffersdorff::parts(const Sym<Real>& sigma, const Rea
           .s_dev = s_dev,
           .f_s = f.f_s / (squared + Real(1.0 / 3.0)), // σ̂:σ̂ = σ̂*:σ̂* + 1/3
           .f_d = f.f_d,
-          .along = strength * strength,
-          .across = Real(a_ * a_),
-          .radial = Real(a_) * strength,
+          .c_I = strength * strength,
+          .c_ss = Real(a_ * a_),
+          .c_N = Real(a_) * strength,
           .e_bar = f.e_bar};
 }
 

@@ -148,8 +148,8 @@ void GaussAverager<Dim>::evaluate_weights(Range teams) {
         Pack sum(0.0);
         for (int a = 0; a < Dim; ++a) {
           const double* x = places_[a];
-          const Pack way = Pack::load(x + run_[r]) - Pack(x[t * team + i]);
-          sum += way * way;
+          const Pack offset = Pack::load(x + run_[r]) - Pack(x[t * team + i]);
+          sum += offset * offset;
         }
         narrow(weight_of_.scaled(sum), squares.data() + i * width);
       }

@@ -143,9 +143,9 @@ void Ddmp<Dim>::prepare(const Grid<Dim>& grid, const Points<Dim>& points, Column
   const Index last = grid.node_count() - 1;
   parallel_for(grid.node_count(), [&](Index i) { // of the grid's last rows, whose cells
                                                  // are none, no use is made
-    double least = 1.0;
-    for (const Index o : offset) least = std::min(least, corners * near[std::min(i + o, last)]);
-    fill[i] = least;
+    double minimum = 1.0;
+    for (const Index o : offset) minimum = std::min(minimum, corners * near[std::min(i + o, last)]);
+    fill[i] = minimum;
   });
   const double share = grid.cell.prod() / corners; // ∫_cell S_j
   parallel_for(grid.node_count(), [&](Index i) {

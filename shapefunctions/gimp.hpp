@@ -5,7 +5,7 @@
 namespace riedel {
 
 /// Slopes of boxes fade later than their masses: they miss nodes that reach less than a share of 1e-12 of a point.
-inline constexpr double least_gradient_seen = 1e-10;
+inline constexpr double min_gradient_seen = 1e-10;
 
 /// Uniform GIMP: hats averaged over a box that keeps its share of a cell.
 /// Bardenhagen & Kober (2004), Comput. Model. Eng. Sci. 5, 477–495.
@@ -19,7 +19,7 @@ public:
             .continuous_gradients = true,
             .order_across_cells = 1,
             .balances_pressure_on_points = true,
-            .translation_error = least_gradient_seen};
+            .translation_error = min_gradient_seen};
   }
   [[nodiscard]] int max_nodes() const override { return power(3, Dim); }
   [[nodiscard]] int margin() const override { return 1; }
@@ -40,7 +40,7 @@ public:
             .continuous_gradients = true,
             .order_across_cells = 1,
             .balances_pressure_on_points = true,
-            .translation_error = least_gradient_seen};
+            .translation_error = min_gradient_seen};
   }
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 2; }

@@ -40,7 +40,7 @@ BareKernel<Law, States, Nodes>::BareKernel(const Law& law, const Grid<2>& grid, 
       half_width_(Nodes == 2 ? 0.0 : points.half_size[0][0] / grid.cell[0]),
       pressure_(pressure),
       flip_(flip),
-      least_mass_(1e-12 * points.mass[0][0]),
+      min_mass_(1e-12 * points.mass[0][0]),
       order_(static_cast<std::size_t>(points.size())),
       groups_(static_cast<std::size_t>((points.size() + pack_size - 1) / pack_size)),
       nodes_(static_cast<std::size_t>(grid.node_count())) {
@@ -144,7 +144,7 @@ void BareKernel<Law, States, Nodes>::points_to_grid() {
 template <class Law, std::size_t States, int Nodes>
 void BareKernel<Law, States, Nodes>::advance_nodes(double dt) {
   for (Node& node : nodes_) {
-    const double per_mass = node.m > least_mass_ ? 1.0 / node.m : 0.0;
+    const double per_mass = node.m > min_mass_ ? 1.0 / node.m : 0.0;
     for (int a = 0; a < 2; ++a) {
       node.a[2 + a] *= per_mass;
       node.a[a] = node.a[a] * per_mass + dt * node.a[2 + a];

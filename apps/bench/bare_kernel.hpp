@@ -47,7 +47,7 @@ private:
 
   const Law& law_;
   Grid<2> grid_;
-  double half_width_, pressure_, flip_, least_mass_;
+  double half_width_, pressure_, flip_, min_mass_;
   std::vector<Index> order_; ///< which of the points given stands where
   AlignedVector<Group> groups_;
   AlignedVector<Node> nodes_;

@@ -45,16 +45,16 @@ std::optional<double> run(Simulation<Dim>& simulation, std::int64_t steps, const
 /// and whole rounds of the stress filter.
 template <int Dim>
 std::optional<std::int64_t> steps_of_a_repeat(Simulation<Dim>& simulation, const BenchEffort& effort) {
-  constexpr std::int64_t most = 1'000'000;
+  constexpr std::int64_t maximum = 1'000'000;
   const StressFilter& filter = simulation.model().stress_filter;
   const std::int64_t round = std::lcm(std::int64_t{10}, std::int64_t{filter.on() ? filter.steps_between : 1});
   for (std::int64_t steps = round;; steps *= 4) {
     const std::optional<double> seconds = run(simulation, steps, effort);
     if (!seconds) return std::nullopt;
-    if (*seconds < 0.1 * effort.seconds && steps < most) continue; // too short to tell
+    if (*seconds < 0.1 * effort.seconds && steps < maximum) continue; // too short to tell
     const double wanted = effort.seconds / std::max(*seconds, 1e-9) * static_cast<double>(steps);
     const double rounds = std::ceil(wanted / static_cast<double>(round));
-    return round * std::min(most / round, static_cast<std::int64_t>(rounds));
+    return round * std::min(maximum / round, static_cast<std::int64_t>(rounds));
   }
 }
 
@@ -99,7 +99,7 @@ Spread spread_of(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
   const double median = values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-  return {.median = median, .least = values.front(), .most = values.back()};
+  return {.median = median, .minimum = values.front(), .maximum = values.back()};
 }
 
 std::optional<BenchResult> measure(const BenchCase& wanted, const Catalogue& catalogue, const BenchEffort& effort) {

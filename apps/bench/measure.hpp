@@ -16,7 +16,7 @@ struct BenchEffort {
 
 /// A few values of one quantity.
 struct Spread {
-  double median = 0, least = 0, most = 0;
+  double median = 0, minimum = 0, maximum = 0;
 };
 Spread spread_of(std::vector<double> values);
 

@@ -40,22 +40,22 @@ const Options& choices() {
 }
 
 /// A number without a unit; 1e5 counts as an integer.
-double number(const std::string& option, const std::string& text, double least, double most, bool whole) {
+double number(const std::string& option, const std::string& text, double minimum, double maximum, bool whole) {
   double x = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
   const bool read = error == std::errc{} && end == text.data() + text.size();
-  if (!read || !(x >= least && x <= most) || (whole && x != std::floor(x)))
+  if (!read || !(x >= minimum && x <= maximum) || (whole && x != std::floor(x)))
     refuse(option, text,
-           std::string("allowed: ") + (whole ? "an integer" : "a number") + " in [" + short_text(least, 6) + ", " +
-               short_text(most, 6) + "]");
+           std::string("allowed: ") + (whole ? "an integer" : "a number") + " in [" + short_text(minimum, 6) + ", " +
+               short_text(maximum, 6) + "]");
   return x;
 }
 
-std::vector<int> integers(const Arguments& arguments, const std::string& option, const Texts& otherwise, int least,
-                          int most) {
+std::vector<int> integers(const Arguments& arguments, const std::string& option, const Texts& otherwise, int minimum,
+                          int maximum) {
   std::vector<int> all;
   for (const std::string& text : arguments.list(option, otherwise))
-    all.push_back(static_cast<int>(number(option, text, least, most, true)));
+    all.push_back(static_cast<int>(number(option, text, minimum, maximum, true)));
   return all;
 }
 

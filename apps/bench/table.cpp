@@ -56,8 +56,8 @@ std::string results_table(const std::vector<BenchResult>& results) {
   std::vector<Row> rows;
   for (const BenchResult& r : results) {
     Row& row = rows.emplace_back(row_of_names(r));
-    row.insert(row.end(), {figure(r.ns.median), figure(r.ns.least), figure(r.ns.most), fixed_text(r.bytes_per_point, 0),
-                           r.ns_of_bare_kernel > 0.0 ? figure(r.ratio()) : "–"});
+    row.insert(row.end(), {figure(r.ns.median), figure(r.ns.minimum), figure(r.ns.maximum),
+                           fixed_text(r.bytes_per_point, 0), r.ns_of_bare_kernel > 0.0 ? figure(r.ratio()) : "–"});
   }
   return markdown_table(head, rows, names);
 }
@@ -105,8 +105,8 @@ nlohmann::ordered_json results_json(const std::vector<BenchResult>& results) {
                                {"order", r.of.order},
                                {"transfer", r.of.transfer},
                                {"ns_per_point_step", r.ns.median},
-                               {"ns_min", r.ns.least},
-                               {"ns_max", r.ns.most},
+                               {"ns_min", r.ns.minimum},
+                               {"ns_max", r.ns.maximum},
                                {"bytes_per_point", r.bytes_per_point},
                                {"phases", phases},
                                {"averager", r.of.averager},

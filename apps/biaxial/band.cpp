@@ -24,7 +24,7 @@ StressQuality measure_quality(const Frame& frame, const ShearBand& band, const B
   return measure_quality(frame, band,
                          {.core = std::max(2.0 * values.nonlocal.length, 1.8 * cell),
                           .smoothing = 1.1 * cell,
-                          .least_pressure = 0.02 * values.loading.confining_pressure},
+                          .min_pressure = 0.02 * values.loading.confining_pressure},
                          placement(values));
 }
 

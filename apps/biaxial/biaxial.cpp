@@ -75,7 +75,7 @@ struct Order {
 };
 
 /// How far a run has come: not begun, begun, or told to its end in the summary, which nothing replaces from then on.
-enum class Stage { before, begun, told };
+enum class Stage { before, begun, reported };
 
 /// Runs the case and leaves everything in the folder, once it is known to begin. @return the exit code
 template <int Dim>
@@ -83,7 +83,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
   const BiaxialCase& values = order.test;
-  require_threads(order.threads.most);
+  require_threads(order.threads.maximum);
   ThreadChoice threads(order.threads);
   BiaxialRun<Dim> run(values, order.catalogue, output.path(), [&](const auto& step) { threads.step(step); });
   output.replace();
@@ -92,7 +92,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   run.begin();
   const auto ending = [&](const std::string& status, const std::string& reason = "") {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-    return BiaxialEnding{status, reason, wall.count(), threads.most_used(), run.time_step().greatest()};
+    return BiaxialEnding{status, reason, wall.count(), threads.max_used(), run.time_step().maximum()};
   };
   try {
     advance(run, values, interrupt);
@@ -100,14 +100,14 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
     try_to_write("the summary", [&] {
       const nlohmann::ordered_json result = biaxial_summary(run, values, ending("failed", reason_of(failure)));
       write_summary(output.path(), result);
-      stage = Stage::told;
+      stage = Stage::reported;
       print_result(result, output.path(), {});
     });
     throw;
   }
   const nlohmann::ordered_json result = biaxial_summary(run, values, ending(interrupt ? "interrupted" : "done"));
   write_summary(output.path(), result);
-  stage = Stage::told;
+  stage = Stage::reported;
   std::vector<std::string> pictures;
   if (values.output.plots)
     try_to_write("the pictures", [&] { pictures = draw_biaxial(run.rows(), run.section(), values, output.path()); });

@@ -31,10 +31,10 @@ void check_imperfection(const BiaxialCase& v, std::vector<Finding>& errors) {
 
 void check_number_of_points(const BiaxialCase& v, std::vector<Finding>& errors) {
   const double points = expected_points(v);
-  const double most = std::numeric_limits<Index>::max();
-  if (points > most)
+  const double maximum = std::numeric_limits<Index>::max();
+  if (points > maximum)
     errors.push_back({{"grid.cells", "specimen.points_per_cell", "specimen.depth_cells"},
-                      exact_text(points) + " points are too many; allowed: at most " + exact_text(most)});
+                      exact_text(points) + " points are too many; allowed: at most " + exact_text(maximum)});
 }
 
 void check_depth(const BiaxialCase& v, std::vector<Finding>& errors) {
@@ -63,14 +63,14 @@ void check_rotation(const BiaxialCase& v, std::vector<Finding>& errors) {
 
 /// A sum over points h apart acts like the integral only while h is not much above l_c.
 void check_spacing(const BiaxialCase& v, std::vector<Finding>& warnings) {
-  constexpr double greatest_ratio = 1.12; // 1.1; 24 × 84 cells of the paper (1.111 for l_c = 1.5 mm) are fine enough
+  constexpr double max_ratio = 1.12; // 1.1; 24 × 84 cells of the paper (1.111 for l_c = 1.5 mm) are fine enough
   const double l_c = v.nonlocal.length;
   const auto& cells = v.grid.cells;
   const double per_direction = static_cast<double>(v.specimen.points_per_cell);
   const double h =
       std::max(v.specimen.width / static_cast<double>(cells[0]), v.specimen.height / static_cast<double>(cells[1])) /
       per_direction;
-  if (l_c == 0.0 || h <= greatest_ratio * l_c) return;
+  if (l_c == 0.0 || h <= max_ratio * l_c) return;
   warnings.push_back({{"nonlocal.length", "grid.cells", "specimen.points_per_cell"},
                       "the points are " + rounded(h) + " m apart, more than 1.1 l_c = " + rounded(1.1 * l_c) +
                           " m: the average acts like one of a shorter length; use more cells or a greater length"});
@@ -79,17 +79,17 @@ void check_spacing(const BiaxialCase& v, std::vector<Finding>& warnings) {
 /// Points at the sides push their share of the pressure onto hats; the stress behind them must push back alike. For a
 /// law and a scheme that are sound: looks at the forces themselves.
 void check_sides(const BiaxialCase& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
-  constexpr double most = 0.01; // share of the pressure
+  constexpr double maximum = 0.01; // share of the pressure
   if (v.loading.lateral != BiaxialCase::Lateral::points || !errors.empty()) return;
   const double imbalance = imbalance_at_start(v, catalogue);
-  if (imbalance <= most) return;
+  if (imbalance <= maximum) return;
   const std::string& scheme = v.scheme;
   const std::string per_cell = std::to_string(v.specimen.points_per_cell);
   std::string others;
   BiaxialCase with = v;
   for (const std::string& name : catalogue.in_2d.schemes.names()) {
     with.scheme = name;
-    if (imbalance_at_start(with, catalogue) <= most) others += ", " + name;
+    if (imbalance_at_start(with, catalogue) <= maximum) others += ", " + name;
   }
   errors.push_back({{"loading.lateral", "scheme", "specimen.points_per_cell"},
                     "\"points\" starts out of balance under the scheme \"" + scheme + "\" with " + per_cell +

@@ -24,14 +24,14 @@ double imbalance_at_start(const BiaxialCase& values, const Catalogue& catalogue)
 
   const Walls& platens = state.grid.walls[1];
   const double unit = few.loading.confining_pressure * state.grid.cell[1];
-  double greatest = 0.0;
+  double maximum = 0.0;
   for (Index i = 0; i < state.nodes.size(); ++i) {
     const Index row = state.grid.index(i)[1];
     const bool free = row > platens.first && row < platens.last; // to move up and down
     const Vec<2>& force = state.nodes.sums[i].force;
-    greatest = std::max({greatest, std::abs(force[0]) / unit, free ? std::abs(force[1]) / unit : 0.0});
+    maximum = std::max({maximum, std::abs(force[0]) / unit, free ? std::abs(force[1]) / unit : 0.0});
   }
-  return greatest;
+  return maximum;
 }
 
 } // namespace riedel

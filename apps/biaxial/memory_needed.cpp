@@ -108,13 +108,15 @@ MemoryNeeded needed(const BiaxialCase& v, const Catalogue& catalogue) {
 } // namespace
 
 double pairs_within(const std::array<double, 3>& counts, const std::array<double, 3>& spacing, double radius) {
-  const auto most = [&](int axis, double way) { return std::min(counts[axis] - 1.0, std::floor(way / spacing[axis])); };
+  const auto maximum = [&](int axis, double way) {
+    return std::min(counts[axis] - 1.0, std::floor(way / spacing[axis]));
+  };
   const auto left = [](double way_squared) { return std::sqrt(std::max(way_squared, 0.0)); };
   double pairs = 0.0;
-  for (double k = -most(2, radius); k <= most(2, radius); ++k) {
+  for (double k = -maximum(2, radius); k <= maximum(2, radius); ++k) {
     const double in_layer = left(square(radius) - square(k * spacing[2]));
-    for (double j = -most(1, in_layer); j <= most(1, in_layer); ++j) {
-      const double i = most(0, left(square(in_layer) - square(j * spacing[1]))); // Σ (n − |i|) from −i to i
+    for (double j = -maximum(1, in_layer); j <= maximum(1, in_layer); ++j) {
+      const double i = maximum(0, left(square(in_layer) - square(j * spacing[1]))); // Σ (n − |i|) from −i to i
       pairs += (counts[2] - std::abs(k)) * (counts[1] - std::abs(j)) * ((2.0 * i + 1.0) * counts[0] - i * (i + 1.0));
     }
   }

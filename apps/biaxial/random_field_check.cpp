@@ -12,7 +12,7 @@ namespace riedel {
 
 namespace {
 
-constexpr double most_samples = 4e6;        ///< a second or two
+constexpr double max_samples = 4e6;         ///< a second or two
 constexpr std::size_t rows_at_once = 128;   ///< of samples
 constexpr double samples_per_length = 16.0; ///< between which a field falls short of its extremes by 2 % of σ
 constexpr double near_limit = 0.1;          ///< of σ: there every point is looked at
@@ -40,11 +40,11 @@ public:
     }
     const double samples =
         static_cast<double>(points_[0] / stride_[0] + 1) * static_cast<double>(points_[1] / stride_[1] + 1);
-    if (samples <= most_samples) return;
+    if (samples <= max_samples) return;
     is_complete_ = false;
     for (int a = 0; a < 2; ++a)
       stride_[a] =
-          static_cast<std::int64_t>(std::ceil(static_cast<double>(stride_[a]) * std::sqrt(samples / most_samples)));
+          static_cast<std::int64_t>(std::ceil(static_cast<double>(stride_[a]) * std::sqrt(samples / max_samples)));
   }
 
   [[nodiscard]] bool is_complete() const { return is_complete_; }
@@ -59,7 +59,7 @@ public:
       const auto above_mean = field_.on_lattice(x, rows);
       for (std::size_t j = 0; j < rows.size(); ++j)
         for (std::size_t i = 0; i < x.size(); ++i)
-          if (auto outlier = look({x[i], rows[j]}, above_mean(static_cast<Index>(i), static_cast<Index>(j))))
+          if (auto outlier = check({x[i], rows[j]}, above_mean(static_cast<Index>(i), static_cast<Index>(j))))
             return outlier;
     }
     return std::nullopt;
@@ -74,7 +74,7 @@ private:
   [[nodiscard]] bool admits(const Vec<2>& x, double e) const { return limits_.admit(e) || patch_.contains(x); }
 
   /// At a sample, and where it is near a limit at the points around it.
-  [[nodiscard]] std::optional<Outlier> look(const Vec<2>& x, double above_mean) const {
+  [[nodiscard]] std::optional<Outlier> check(const Vec<2>& x, double above_mean) const {
     const double e = mean_ + above_mean;
     if (!admits(x, e)) return Outlier{x, e};
     if (!is_complete_ || points_per_sample() == 1 || (e - near_ > limits_.lower && e + near_ <= limits_.upper))

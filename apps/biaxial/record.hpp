@@ -52,7 +52,7 @@ public:
   [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
   /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
   /// that far [-].
-  [[nodiscard]] double kinetic_over_internal() const { return kinetic_.greatest(); }
+  [[nodiscard]] double kinetic_over_internal() const { return kinetic_.maximum(); }
   [[nodiscard]] const TimeStepWatch& time_step() const { return time_step_; }
   /// The keys of summary.json that the run itself knows; null for what it cannot have.
   [[nodiscard]] nlohmann::ordered_json summary() const;

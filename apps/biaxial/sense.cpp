@@ -44,25 +44,26 @@ struct Sense {
 };
 
 void check_lengths(const Sense& s) {
-  const double least = std::min(s.width, s.height), most = std::max(s.width, s.height);
+  const double minimum = std::min(s.width, s.height), maximum = std::max(s.width, s.height);
   const std::string l = "nonlocal.length", unit = "; a number is in metres, a text may have a unit: ";
   const double l_c = s.v.keys.number(l);
-  if (l_c > most)
-    s.refuse({l, "specimen.width", "specimen.height"}, s.value(l, "m") + " is " + number(l_c / s.width) +
-                                                           " times the width of the specimen, " + metres(s.width) +
-                                                           "; allowed: at most " + metres(most) + unit + "\"1.5 mm\"");
-  else if (3.0 * l_c > least)
+  if (l_c > maximum)
+    s.refuse({l, "specimen.width", "specimen.height"},
+             s.value(l, "m") + " is " + number(l_c / s.width) + " times the width of the specimen, " + metres(s.width) +
+                 "; allowed: at most " + metres(maximum) + unit + "\"1.5 mm\"");
+  else if (3.0 * l_c > minimum)
     s.warn({l, "specimen.width", "specimen.height"},
            s.value(l, "m") + ": the average reaches 3 l_c = " + metres(3.0 * l_c) + " to each side, over all of the " +
-               metres(least) + " of the specimen");
+               metres(minimum) + " of the specimen");
   for (const char* edge : {"specimen.width", "specimen.height"})
     if (const double x = s.v.keys.number(edge); x > 10.0 || x < 1e-3)
       s.warn({edge}, "a specimen of " + metres(x) + unit + "\"40 mm\"");
   const std::string correlation = "imperfection.correlation_length";
   const double lambda = s.v.keys.number(correlation);
-  if (s.v.imperfection.deviation > 0.0 && lambda > most)
+  if (s.v.imperfection.deviation > 0.0 && lambda > maximum)
     s.warn({correlation, "specimen.height"}, s.value(correlation, "m") + " is longer than the specimen, " +
-                                                 metres(most) + ": the field hardly varies in it" + unit + "\"5 mm\"");
+                                                 metres(maximum) + ": the field hardly varies in it" + unit +
+                                                 "\"5 mm\"");
 }
 
 void check_loading(const Sense& s) {

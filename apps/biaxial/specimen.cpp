@@ -107,7 +107,7 @@ template <int Dim>
 double platen_force(const Simulation<Dim>& simulation, const BiaxialCase& values) {
   // The virtual stress leaves the reaction in excess of the confining pressure.
   return simulation.model().confining_pressure * values.specimen.width -
-         simulation.held("top").reaction / specimen_depth(values);
+         simulation.boundary_report("top").reaction / specimen_depth(values);
 }
 
 template <int Dim>

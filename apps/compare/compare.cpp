@@ -65,7 +65,7 @@ int write_results(const Plan& plan, const fs::path& folder) {
 int compare(const Arguments& arguments) {
   const auto kind = arguments.text("script");
   if (kind) (void)arguments.names("script", {}, script_kinds());
-  const int threads = arguments.threads().most;
+  const int threads = arguments.threads().maximum;
   const Study study = study_of(arguments);
   const Plan plan =
       plan_of(kind_of(study.given), study.title, arguments.command, variants_of(study.given, study.variations),

@@ -43,11 +43,11 @@ struct ElementCase {
   double void_ratio;
   Law material;
   Driver driver;
-  Loading loading;          ///< of a named test
-  Specimen specimen;        ///< of a named test
-  std::string scheme;       ///< of a named test
+  Loading loading;           ///< of a named test
+  Specimen specimen;         ///< of a named test
+  std::string scheme;        ///< of a named test
   Values interpolation = {}; ///< the scheme's options, by their names without the section
-  Initial initial;          ///< of a path
+  Initial initial;           ///< of a path
   double every_strain;
   bool plots;
   Values keys; ///< all of them, for messages and for what reads a section of its own, such as the step and the stages

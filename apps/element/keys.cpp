@@ -122,12 +122,12 @@ void check_intergranular_strain(const ElementCase& given, std::vector<Finding>& 
 
 /// A specimen of more points would fill the memory before its first step.
 void check_points(const ElementCase::Specimen& specimen, std::vector<Finding>& errors) {
-  constexpr double most = 1e7;
+  constexpr double maximum = 1e7;
   const double points = std::pow(static_cast<double>(specimen.cells * specimen.points_per_cell), specimen.dimensions);
-  if (points > most)
+  if (points > maximum)
     errors.push_back({{"grid.cells", "specimen.points_per_cell"},
                       exact_text(static_cast<double>(specimen.cells)) + " along each edge make " + rounded(points) +
-                          " points; allowed: at most " + rounded(most)});
+                          " points; allowed: at most " + rounded(maximum)});
 }
 
 /// What the mpm driver cannot do.
@@ -154,11 +154,11 @@ Diagnostics check_element(const ElementCase& given, const Catalogue& catalogue) 
   Diagnostics found;
   check_limits_of_void_ratio(v, found.errors);
   const StartPressure start = start_pressure(given);
-  const double least = v.has("material.minimum_pressure") ? v.number("material.minimum_pressure") : -1.0;
-  if (start.p + cohesion_pressure(v) <= least)
+  const double minimum = v.has("material.minimum_pressure") ? v.number("material.minimum_pressure") : -1.0;
+  if (start.p + cohesion_pressure(v) <= minimum)
     found.errors.push_back({{start.key, "material.minimum_pressure"},
                             "the mean pressure at the start, " + rounded(start.p) + " Pa, must exceed " +
-                                rounded(least - cohesion_pressure(v)) +
+                                rounded(minimum - cohesion_pressure(v)) +
                                 " Pa (material.minimum_pressure): below it the grains are apart"});
   else
     check_void_ratio(v, "specimen.void_ratio", start, found.errors);

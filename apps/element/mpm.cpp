@@ -19,12 +19,12 @@ double driven_strain(const MaterialPoint& mean, const ElementTest& test) {
 
 /// @throws InputError where nobody could wait for the end
 void refuse_endless(const ElementCase& given, double time_step) {
-  constexpr double most_steps = 1e9;
+  constexpr double max_steps = 1e9;
   const auto& [pressure, final_strain, limit, rate, speed, ramp_time] = given.loading;
   const double time = ramp_time + final_strain * given.specimen.size / speed;
-  if (time / time_step > most_steps)
+  if (time / time_step > max_steps)
     throw InputError("loading.speed: " + exact_text(speed) + " m/s makes about " + short_text(time / time_step) +
-                     " steps of " + short_text(time_step) + " s; allowed: at most " + short_text(most_steps));
+                     " steps of " + short_text(time_step) + " s; allowed: at most " + short_text(max_steps));
 }
 
 template <int Dim>
@@ -43,7 +43,7 @@ ElementCurve run(const ElementCase& given, const Catalogue& catalogue, const Ele
   const auto follow = [&] {
     curve.steps = simulation.state().step;
     follow_element(mean, simulation);
-    rows.look(mean);
+    rows.record(mean);
   };
   KineticShare kinetic;
   TimeStepWatch time_step;
@@ -76,8 +76,8 @@ ElementCurve run(const ElementCase& given, const Catalogue& catalogue, const Ele
   curve.energies->kinetic = end.kinetic;
   curve.energies->internal = end.internal;
   curve.energies->external = end.external;
-  curve.energies->kinetic_over_internal = kinetic.greatest();
-  curve.energies->time_step_over_limit = time_step.greatest();
+  curve.energies->kinetic_over_internal = kinetic.maximum();
+  curve.energies->time_step_over_limit = time_step.maximum();
   curve.report = simulation.state().report;
   return curve;
 }

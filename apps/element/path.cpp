@@ -69,8 +69,8 @@ PathLeg given_leg(const Values& v, const std::string& stage, const std::string& 
   for (const Measure& measure : measures()) {
     if (!measure.can_be_prescribed || !given(measure.name)) continue;
     const Value& value = wish(v, stage, leg, measure.name);
-    const bool held = std::holds_alternative<std::string>(value);
-    result.prescriptions.push_back({&measure, held ? hold : std::optional(std::get<double>(value))});
+    const bool fixed = std::holds_alternative<std::string>(value);
+    result.prescriptions.push_back({&measure, fixed ? hold : std::optional(std::get<double>(value))});
     add_wave(result.prescriptions.back(), v, stage, leg);
   }
   if (result.deformation) return result; // no shear is held

@@ -74,48 +74,48 @@ bool check_limits(const Values& values, std::vector<Finding>& errors) {
 using Known = std::map<const Measure*, double>;
 
 /// Strain over which a leg leads at least.
-double least_strain(const PathLeg& leg, Known& known) {
-  double least = 0.0;
+double min_strain(const PathLeg& leg, Known& known) {
+  double minimum = 0.0;
   Known after;
   for (const auto& [measure, target, swing, phase] : leg.prescriptions) {
     if (measure->unit != "-") continue;
-    least = std::max(least, 2.0 * std::abs(swing));
+    minimum = std::max(minimum, 2.0 * std::abs(swing));
     const auto before = known.find(measure);
-    if (leg.relative && target) least = std::max(least, std::abs(*target));
+    if (leg.relative && target) minimum = std::max(minimum, std::abs(*target));
     if (leg.relative) continue;
-    if (before != known.end() && target) least = std::max(least, std::abs(*target - before->second));
+    if (before != known.end() && target) minimum = std::max(minimum, std::abs(*target - before->second));
     if (target || before != known.end()) after[measure] = target ? *target : before->second;
   }
   known = std::move(after);
-  return least;
+  return minimum;
 }
 
 /// Rows of a round at least.
-double least_rows(const PathStage& stage, double every, Known& known) {
+double min_rows(const PathStage& stage, double every, Known& known) {
   double rows = 0.0;
-  for (const PathLeg& leg : stage.legs) rows += std::max(1.0, least_strain(leg, known) / every);
+  for (const PathLeg& leg : stage.legs) rows += std::max(1.0, min_strain(leg, known) / every);
   return rows;
 }
 
 } // namespace
 
 void check_rows(double every, const ElementPath& path, std::vector<Finding>& errors) {
-  const double most = most_element_rows;
+  const double maximum = max_element_rows;
   Known known;
   for (const Measure& measure : measures()) known[&measure] = 0.0;
   double rows = 0.0;
   for (std::size_t s = 0; s < path.stages.size(); ++s) {
     const PathStage& stage = path.stages[s];
-    const double first = least_rows(stage, every, known), others = least_rows(stage, every, known);
+    const double first = min_rows(stage, every, known), others = min_rows(stage, every, known);
     if (stage.until)
       known.clear();
     else
       rows += first + static_cast<double>(stage.repeat - 1) * others;
-    if (rows <= most) continue;
+    if (rows <= maximum) continue;
     const std::string repeat = stage_prefix(static_cast<int>(s + 1)) + "repeat";
     errors.push_back({{stage.repeat > 1 ? repeat : "output.every_strain"},
                       "the path has at least " + short_text(rows) + " rows up to here; allowed: at most " +
-                          std::to_string(most_element_rows) + ", with fewer rounds or a larger output.every_strain"});
+                          std::to_string(max_element_rows) + ", with fewer rounds or a larger output.every_strain"});
     return;
   }
 }

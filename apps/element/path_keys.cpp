@@ -33,7 +33,7 @@ Keys measure_keys(const std::string& prefix) {
 /// Number of tables in a list, such as "stage" or "stage.2.leg".
 /// @throws InputError for a number behind a gap, and for more of them than a case can mean
 int tables_in(const CaseFile& given, const std::string& list) {
-  constexpr int most = 1000;
+  constexpr int maximum = 1000;
   const int count = given.count(list);
   for (const std::string& name : given.names_in(list)) {
     int number = 0;
@@ -43,9 +43,9 @@ int tables_in(const CaseFile& given, const std::string& list) {
     if (error != std::errc{} || number < 1 || number > count)
       throw InputError(given.place(name) + ": there is no " + list + "." + std::to_string(count + 1) +
                        "; allowed: numbers from 1 without a gap");
-    if (number > most)
+    if (number > maximum)
       throw InputError(given.place(name) + ": is one of " + std::to_string(count) + "; allowed: at most " +
-                       std::to_string(most));
+                       std::to_string(maximum));
   }
   return count;
 }

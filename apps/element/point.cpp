@@ -57,7 +57,7 @@ private:
   End follow(const PathLeg& leg, const PathStage& stage) {
     End end = End::reached;
     driver_.follow(leg_from(leg, driver_.point(), path_.water), [&](const MaterialPoint& point) {
-      rows_.look(point);
+      rows_.record(point);
       if (watch_.stop())
         end = End::interrupted;
       else if (stage.until && stage.until->reached(point, path_.water))
@@ -86,7 +86,7 @@ ElementCurve run_point_driver(const ElementCase& given, const Catalogue& catalog
                       .largest_strain = given.every_strain,
                       .added_stiffness = path.water.bulk_modulus});
   ElementRows rows(*law, given.void_ratio, given.every_strain, path.friction, path.water, watch, curve.rows);
-  rows.look(start);
+  rows.record(start);
   Journey journey(driver, path, watch, rows, curve);
   for (const PathStage& stage : path.stages) {
     if (&stage != &path.stages.front()) driver.begin_stage();

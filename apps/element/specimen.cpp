@@ -42,7 +42,7 @@ template <int Dim>
 VelocityOnNodes<Dim> plates(const Frame<Dim>& frame, int axis, PlateMotion motion, const VelocityCourse& drive) {
   const Index moving = frame.first + frame.cells;
   VelocityOnNodes<Dim> condition{.name = "plates " + std::to_string(axis + 1), .last = frame.last_node(), .axis = axis};
-  if (motion == PlateMotion::held) condition.velocity = [](double) { return 0.0; };
+  if (motion == PlateMotion::fixed) condition.velocity = [](double) { return 0.0; };
   if (motion == PlateMotion::driven) condition.velocity = drive;
   condition.linear = LinearMotion{.axis = axis, .fixed_row = frame.first, .moving_row = moving};
   if (frame.free_interior && frame.cells > 1) {
@@ -74,7 +74,7 @@ void set_boundaries(Model<Dim>& model, const Frame<Dim>& frame, const ElementCas
     const bool slides = frame.shear && axis < 2;
     model.conditions.push_back(
         prescribe(slides ? sheared_planes(frame, axis, drive) : plates(frame, axis, motion, drive)));
-    if (motion == PlateMotion::held || (frame.shear && axis == 0)) continue;
+    if (motion == PlateMotion::fixed || (frame.shear && axis == 0)) continue;
     model.moving_grids.push_back({.axis = axis,
                                   .fixed_row = frame.first,
                                   .moving_row = frame.first + frame.cells,
@@ -154,14 +154,14 @@ void follow_element(MaterialPoint& mean, const Simulation<Dim>& simulation) {
 template <int Dim>
 double stress_spread(const Simulation<Dim>& simulation, const Sym<double>& mean) {
   const Points<Dim>& points = simulation.state().bodies.front().points;
-  double most = 0.0;
+  double maximum = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
     Sym<double> off;
     for (int c = 0; c < 6; ++c)
       off.m[static_cast<std::size_t>(c)] = points.stress[c][p] - mean.m[static_cast<std::size_t>(c)];
-    most = std::max(most, norm(off));
+    maximum = std::max(maximum, norm(off));
   }
-  return most / norm(mean);
+  return maximum / norm(mean);
 }
 
 template Simulation<2> make_element<2>(const ElementCase&, const Catalogue&, const Sym<double>&);

@@ -43,7 +43,7 @@ int main(int argc, char** argv) try {
     double height = 0.0;
     for (Index p = 0; p < disc.size(); ++p) height += disc.position[1][p] / disc.size();
     history.add(std::array{simulation.state().time, height, simulation.energies().kinetic,
-                           simulation.held("floor_y").reaction});
+                           simulation.boundary_report("floor_y").reaction});
     frames.write(snapshot(simulation, start));
   });
   run.until(1.0).go();

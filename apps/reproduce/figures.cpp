@@ -88,7 +88,7 @@ Plot void_ratios(const PaperResults& results) {
 }
 
 /// Ranges that are told of tests, none of which could be looked up in the original.
-constexpr double mean_grain = 0.5e-3, least_grains = 10.0, most_grains = 20.0; // [m], [-], [-]
+constexpr double mean_grain = 0.5e-3, min_grains = 10.0, max_grains = 20.0; // [m], [-], [-]
 const std::string unchecked = "literature, unchecked";
 
 Series marks(const PaperResults& results, const std::string& what, Marker marker) {
@@ -113,7 +113,7 @@ FigurePart thickness_figure(const std::vector<PaperResults>& ways) {
     plot.series.push_back(std::move(by_e));
     plot.series.push_back(std::move(by_rate));
   }
-  const Interval grains{1e3 * least_grains * mean_grain, 1e3 * most_grains * mean_grain};
+  const Interval grains{1e3 * min_grains * mean_grain, 1e3 * max_grains * mean_grain};
   plot.x_range = Interval{0.0, 4.5};
   plot.y_range = Interval{0.0, 25.0};
   plot.shaded = {{{0.0, 4.5}, grains, "10 to 20 d50 of 0.5 mm (" + unchecked + ")"}};

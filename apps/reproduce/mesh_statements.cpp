@@ -37,7 +37,7 @@ Statement time_step(const PaperResults& r, const std::string& mesh) {
 }
 
 /// The greatest time step that the paper tried, against h/c.
-Statement greatest_step(const PaperResults& r) {
+Statement max_step(const PaperResults& r) {
   std::vector<double> limits;
   for (const std::string& mesh : mesh_runs()) {
     const RunResult* run = r.done(mesh);
@@ -59,7 +59,7 @@ Statement greatest_step(const PaperResults& r) {
 std::vector<Statement> mesh_statements(const PaperResults& r) {
   std::vector<Statement> all{meshes(r, "24x84", "32x112", false), meshes(r, "16x56", "32x112", true)};
   for (const std::string& mesh : mesh_runs()) all.push_back(time_step(r, mesh));
-  all.push_back(greatest_step(r));
+  all.push_back(max_step(r));
   return all;
 }
 

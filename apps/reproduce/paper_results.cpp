@@ -126,14 +126,14 @@ double PaperResults::band_angle_at_equal_slip(const std::string& run, double u_o
 }
 
 double PaperResults::distance(const std::string& a, const std::string& b, double from, double to) const {
-  double most = 0.0;
+  double maximum = 0.0;
   constexpr double step = 5e-4;
   for (double strain = from; strain <= to; strain += step) {
     const double apart = std::abs(angle_at(a, strain) - angle_at(b, strain));
     if (std::isnan(apart)) return nothing;
-    most = std::max(most, apart);
+    maximum = std::max(maximum, apart);
   }
-  return most;
+  return maximum;
 }
 
 std::optional<ShearBand> PaperResults::band_at(const std::string& run, double u_over_h) const {

@@ -54,11 +54,11 @@ CaseFile paper_case(const Arguments& arguments, const Way& way) {
 struct Reproduction {
   std::vector<FigurePart> curves;
   std::vector<SpecimenFigure> specimens;
-  std::vector<Told> told;
+  std::vector<Verdicts> verdicts;
 };
 
 Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figures& figures, Runs elements) {
-  Reproduction found{.curves = element_figures(figures, elements), .specimens = {}, .told = {}};
+  Reproduction found{.curves = element_figures(figures, elements), .specimens = {}, .verdicts = {}};
   std::vector<Statement> of_elements;
   if (const CriticalState end = triaxial_end(elements, ways.front().paper_case().section("material"));
       !end.angle.empty())
@@ -67,8 +67,8 @@ Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figure
     for (auto& one : some) all.push_back(std::move(one));
   };
   for (const PaperResults& results : ways) {
-    found.told.push_back({results.way().title, of_elements});
-    move_to(found.told.back().statements, biaxial_statements(results));
+    found.verdicts.push_back({results.way().title, of_elements});
+    move_to(found.verdicts.back().statements, biaxial_statements(results));
     move_to(found.curves, curve_figures(results));
     move_to(found.specimens, specimen_figures(results));
   }
@@ -81,7 +81,7 @@ Page report(const std::string& command, const std::vector<PaperResults>& ways, c
   Page page("Krzyżanowski, Wójcik and Tejchman (2020), reproduced");
   page.facts(provenance(command, ways.front().all()));
   page.heading("What the paper says, and what came out");
-  page.table(statement_table(found.told));
+  page.table(statement_table(found.verdicts));
   for (std::size_t i = 0; i < found.curves.size(); ++i) {
     const FigurePart& part = found.curves[i];
     const bool first = i == 0 || found.curves[i - 1].figure != part.figure;
@@ -113,7 +113,7 @@ PaperRuns runs_of(const RunKind& kind, const Arguments& arguments, const std::ve
   const Plan plan = plan_of(kind, "The paper", arguments.command, variants,
                             [](const CaseFile& given) { return load_catalogue(given).catalogue; });
   OpenCampaign campaign = open_campaign(folder, plan, arguments.force(), run_kinds());
-  run_campaign(plan, folder, {"reproduce", arguments.threads().most, [&] { return static_cast<bool>(interrupt); }});
+  run_campaign(plan, folder, {"reproduce", arguments.threads().maximum, [&] { return static_cast<bool>(interrupt); }});
   const std::vector<RunResult> results = results_of(campaign.plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
   return {.folder = std::move(campaign.folder), .results = results};
@@ -149,7 +149,7 @@ int reproduce(const Arguments& arguments) {
   std::vector<PaperResults> results;
   for (std::size_t i = 0; i < ways.size(); ++i) results.emplace_back(runs.results, figures, cases[i], ways[i]);
   const Reproduction found = reproduction_of(results, figures, elements ? Runs(elements->results) : Runs{});
-  write_atomically(folder / "verdicts.md", statement_markdown(found.told));
+  write_atomically(folder / "verdicts.md", statement_markdown(found.verdicts));
   std::vector<std::string> written{"verdicts.md"};
   try_to_write("the report", [&] {
     write_atomically(folder / "report.html", report(arguments.command, results, found).html());
@@ -158,9 +158,9 @@ int reproduce(const Arguments& arguments) {
   try_to_write("the pictures", [&] {
     for (std::string& name : write_figures(found.curves, found.specimens, folder)) written.push_back(std::move(name));
   });
-  if (document) document->write(statement_markdown(found.told));
+  if (document) document->write(statement_markdown(found.verdicts));
 
-  std::cout << statement_text(found.told) << "written to " << folder.string();
+  std::cout << statement_text(found.verdicts) << "written to " << folder.string();
   for (const std::string& name : written) std::cout << (&name == &written.front() ? ": " : ", ") << name;
   std::cout << "\ntook "
             << duration_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << "\n";

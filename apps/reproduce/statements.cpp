@@ -9,10 +9,10 @@ namespace riedel {
 namespace {
 
 /// With one way: where, claim, verdict, measured, theory, reason; with several the two in the middle for each.
-std::vector<std::string> columns_of(const std::vector<Told>& told) {
+std::vector<std::string> columns_of(const std::vector<Verdicts>& verdicts) {
   std::vector<std::string> columns{"where", "the paper says"};
-  for (const Told& one : told) {
-    columns.push_back(told.size() == 1 ? "verdict" : one.way);
+  for (const Verdicts& one : verdicts) {
+    columns.push_back(verdicts.size() == 1 ? "verdict" : one.way);
     columns.emplace_back("measured");
   }
   columns.emplace_back("theory");
@@ -21,9 +21,9 @@ std::vector<std::string> columns_of(const std::vector<Told>& told) {
 }
 
 /// What several ways have to say, each thing once.
-std::string joined(const std::vector<Told>& told, std::size_t i, std::string Statement::*part) {
+std::string joined(const std::vector<Verdicts>& verdicts, std::size_t i, std::string Statement::*part) {
   std::vector<std::string> texts;
-  for (const Told& one : told)
+  for (const Verdicts& one : verdicts)
     if (const std::string& text = one.statements[i].*part;
         !text.empty() && std::ranges::find(texts, text) == texts.end())
       texts.push_back(text);
@@ -32,14 +32,14 @@ std::string joined(const std::vector<Told>& told, std::size_t i, std::string Sta
   return all;
 }
 
-std::vector<std::string> cells_of(const std::vector<Told>& told, std::size_t i) {
-  std::vector<std::string> cells{told.front().statements[i].where, told.front().statements[i].claim};
-  for (const Told& one : told) {
+std::vector<std::string> cells_of(const std::vector<Verdicts>& verdicts, std::size_t i) {
+  std::vector<std::string> cells{verdicts.front().statements[i].where, verdicts.front().statements[i].claim};
+  for (const Verdicts& one : verdicts) {
     cells.emplace_back(name_of(one.statements[i].verdict));
     cells.push_back(one.statements[i].measured);
   }
-  cells.push_back(joined(told, i, &Statement::theory));
-  cells.push_back(joined(told, i, &Statement::reason));
+  cells.push_back(joined(verdicts, i, &Statement::theory));
+  cells.push_back(joined(verdicts, i, &Statement::reason));
   return cells;
 }
 
@@ -76,49 +76,49 @@ std::vector<Statement> element_statements(const CriticalState& end) {
            .reason = ""}};
 }
 
-PageTable statement_table(const std::vector<Told>& told) {
-  const std::vector<std::string> columns = columns_of(told);
+PageTable statement_table(const std::vector<Verdicts>& verdicts) {
+  const std::vector<std::string> columns = columns_of(verdicts);
   PageTable table{
       .caption = "Each statement of the paper's text beside what was measured; in brackets the tolerance that decides.",
       .header = columns,
       .rows = {},
       .text_columns = columns.size(),
       .long_text = true};
-  for (std::size_t i = 0; i < told.front().statements.size(); ++i) {
+  for (std::size_t i = 0; i < verdicts.front().statements.size(); ++i) {
     PageRow row;
-    for (const std::string& cell : cells_of(told, i)) row.cells.push_back({cell});
-    for (std::size_t way = 0; way < told.size(); ++way)
-      row.cells[2 + 2 * way].look = look_of(told[way].statements[i].verdict);
+    for (const std::string& cell : cells_of(verdicts, i)) row.cells.push_back({cell});
+    for (std::size_t way = 0; way < verdicts.size(); ++way)
+      row.cells[2 + 2 * way].look = look_of(verdicts[way].statements[i].verdict);
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-std::string statement_markdown(const std::vector<Told>& told) {
+std::string statement_markdown(const std::vector<Verdicts>& verdicts) {
   std::string text, rule;
-  for (const std::string& column : columns_of(told)) text += "| " + column + " ", rule += "|---";
+  for (const std::string& column : columns_of(verdicts)) text += "| " + column + " ", rule += "|---";
   text += "|\n" + rule + "|\n";
-  for (std::size_t i = 0; i < told.front().statements.size(); ++i) {
-    for (const std::string& cell : cells_of(told, i)) text += "| " + in_markdown(cell) + " ";
+  for (std::size_t i = 0; i < verdicts.front().statements.size(); ++i) {
+    for (const std::string& cell : cells_of(verdicts, i)) text += "| " + in_markdown(cell) + " ";
     text += "|\n";
   }
   return text;
 }
 
-std::string statement_text(const std::vector<Told>& told) {
+std::string statement_text(const std::vector<Verdicts>& verdicts) {
   const std::string indent(13, ' ');
   std::string text;
-  for (std::size_t i = 0; i < told.front().statements.size(); ++i) {
-    const Statement& first = told.front().statements[i];
+  for (std::size_t i = 0; i < verdicts.front().statements.size(); ++i) {
+    const Statement& first = verdicts.front().statements[i];
     text += first.where + ": " + first.claim + "\n";
-    for (const Told& one : told) {
+    for (const Verdicts& one : verdicts) {
       const Statement& s = one.statements[i];
       const std::string verdict = name_of(s.verdict);
       text += "  " + verdict + std::string(indent.size() - 2 - verdict.size(), ' ') + s.measured +
-              (told.size() > 1 ? ", " + one.way : "") + "\n";
+              (verdicts.size() > 1 ? ", " + one.way : "") + "\n";
     }
     for (const auto& [before, part] : {std::pair{"theory: ", &Statement::theory}, {"", &Statement::reason}})
-      if (const std::string all = joined(told, i, part); !all.empty()) text += indent + before + all + "\n";
+      if (const std::string all = joined(verdicts, i, part); !all.empty()) text += indent + before + all + "\n";
   }
   return text;
 }

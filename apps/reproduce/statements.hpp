@@ -25,15 +25,15 @@ std::vector<Statement> biaxial_statements(const PaperResults& results);
 std::vector<Statement> mesh_statements(const PaperResults& results); ///< those among them about Figure 7
 
 /// The same statements about runs made in one way or the other.
-struct Told {
+struct Verdicts {
   std::string way; ///< its title
   std::vector<Statement> statements;
 };
 
 /// A row for each statement, with verdict and measurement for each way.
-PageTable statement_table(const std::vector<Told>& told);
-std::string statement_markdown(const std::vector<Told>& told);
+PageTable statement_table(const std::vector<Verdicts>& verdicts);
+std::string statement_markdown(const std::vector<Verdicts>& verdicts);
 /// For a terminal.
-std::string statement_text(const std::vector<Told>& told);
+std::string statement_text(const std::vector<Verdicts>& verdicts);
 
 } // namespace riedel

@@ -51,7 +51,7 @@ VerifyRun run_discs(const VerifyCase& given) {
 /// A time step's error at the most. Gradients that jump add that of crossing cells.
 Expectation expectation(const SchemeTraits& scheme) {
   if (!scheme.continuous_gradients) return {};
-  return {.text = "below 0.01", .most_error = 0.01};
+  return {.text = "below 0.01", .max_error = 0.01};
 }
 
 } // namespace

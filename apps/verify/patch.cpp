@@ -120,9 +120,7 @@ VerifyRun run_patch(const VerifyCase& given) {
   return {*std::ranges::max_element(figures), watch.ns(), figures};
 }
 
-Expectation expectation(const SchemeTraits& scheme) {
-  return {.text = "exact", .most_error = scheme.translation_error};
-}
+Expectation expectation(const SchemeTraits& scheme) { return {.text = "exact", .max_error = scheme.translation_error}; }
 
 } // namespace
 

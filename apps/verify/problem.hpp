@@ -30,8 +30,8 @@ struct VerifyRun {
 /// What theory or the scheme's authors promise.
 struct Expectation {
   std::string text = "none";
-  double least_order = 0.0;                                    ///< of convergence; 0: none
-  double most_error = std::numeric_limits<double>::infinity(); ///< with the finest cells [-]
+  double min_order = 0.0;                                     ///< of convergence; 0: none
+  double max_error = std::numeric_limits<double>::infinity(); ///< with the finest cells [-]
 };
 
 /// Of displacements, in a problem whose points cross cells.

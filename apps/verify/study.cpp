@@ -18,9 +18,8 @@ std::string VerifyStudy::missed() const {
   const Expectation wish = expected();
   const std::string wished = ", expected " + wish.text;
   if (!failure.empty()) return wish.text == Expectation().text ? "" : failure + wished;
-  if (wish.least_order > 0.0 && order() < wish.least_order) return "order " + short_text(order()) + wished;
-  if (!runs.empty() && !(runs.back().error <= wish.most_error))
-    return "error " + short_text(runs.back().error) + wished;
+  if (wish.min_order > 0.0 && order() < wish.min_order) return "order " + short_text(order()) + wished;
+  if (!runs.empty() && !(runs.back().error <= wish.max_error)) return "error " + short_text(runs.back().error) + wished;
   return "";
 }
 
@@ -35,7 +34,7 @@ VerifyStudy study(const VerifyProblem& problem, const Catalogue& catalogue, cons
                      .failure = {}};
   try {
     for (const Index cells : problem.cells)
-      if (cells <= options.most_cells)
+      if (cells <= options.max_cells)
         answer.runs.push_back(problem.run({catalogue, scheme, cells, options.points, options.stop}));
   } catch (const RunError& error) { answer.failure = error.what(); }
   return answer;

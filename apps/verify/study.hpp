@@ -21,8 +21,8 @@ struct VerifyStudy {
 };
 
 struct StudyOptions {
-  Index most_cells = std::numeric_limits<Index>::max(); ///< finer ones are left out
-  int points = 0;                                       ///< in a cell along each axis; 0: the problem's own number
+  Index max_cells = std::numeric_limits<Index>::max(); ///< finer ones are left out
+  int points = 0;                                      ///< in a cell along each axis; 0: the problem's own number
   std::function<bool()> stop = {}; ///< asked between steps; true ends the study with `VerifyStopped`
 };
 

@@ -134,17 +134,17 @@ Series series_of(const VerifyStudy& study) {
 std::vector<Series> slopes(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem) {
   constexpr Color grey{0.6, 0.6, 0.6};
   std::set<int> orders;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const VerifyStudy& study : studies) {
     if (study.problem != &problem || study.runs.size() < 2) continue;
-    if (study.expected().least_order > 0.0) orders.insert(static_cast<int>(std::ceil(study.expected().least_order)));
+    if (study.expected().min_order > 0.0) orders.insert(static_cast<int>(std::ceil(study.expected().min_order)));
     for (const VerifyRun& run : study.runs)
-      if (run.error > 0.0) least = std::min(least, run.error);
+      if (run.error > 0.0) minimum = std::min(minimum, run.error);
   }
   std::vector<Series> lines;
   const double first = static_cast<double>(problem.cells.front()), last = static_cast<double>(problem.cells.back());
   for (const int order : orders) {
-    const double end = 0.6 * least;
+    const double end = 0.6 * minimum;
     lines.push_back({.label = "slope of order " + std::to_string(order),
                      .x = {first, last},
                      .y = {end * std::pow(last / first, order), end},
@@ -168,21 +168,21 @@ void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& p
             .x_label = "ns per point and step, with the finest cells",
             .y_label = y_label,
             .series = {}};
-  double least = std::numeric_limits<double>::infinity(), most = 0.0; // cost
+  double minimum = std::numeric_limits<double>::infinity(), maximum = 0.0; // cost
   for (const VerifyStudy& study : studies) {
     if (study.problem != &problem || study.runs.empty()) continue;
     Series errors = series_of(study), times = errors;
     times.label = study.scheme;
     times.x.assign(errors.x.size(), study.runs.back().ns);
-    least = std::min(least, study.runs.back().ns);
-    most = std::max(most, study.runs.back().ns);
+    minimum = std::min(minimum, study.runs.back().ns);
+    maximum = std::max(maximum, study.runs.back().ns);
     convergence.series.push_back(std::move(errors));
     cost.series.push_back(std::move(times));
   }
   for (Series& line : slopes(studies, problem)) convergence.series.push_back(std::move(line));
-  cost.log_x = most > 3.0 * least;
+  cost.log_x = maximum > 3.0 * minimum;
   cost.log_y = true;
-  if (most > 0.0) cost.x_range = Interval{0.95 * least, 1.05 * most};
+  if (maximum > 0.0) cost.x_range = Interval{0.95 * minimum, 1.05 * maximum};
   write_png(folder / "convergence.png", convergence);
   write_png(folder / "cost.png", cost);
 }

@@ -50,30 +50,30 @@ StressErrors errors_at_rest(const VerifyCase& given, double share, Watch& watch)
   watch.run(simulation).until(growth).go();
   relax(simulation, 1000 * given.cells, watch.run(simulation));
   const Points<2>& points = simulation.state().bodies.front().points;
-  StressErrors greatest;
+  StressErrors maximum;
   for (Index p = 0; p < points.size(); ++p) {
-    double& error = points.position[0][p] > end - cell ? greatest.at_end : greatest.before;
+    double& error = points.position[0][p] > end - cell ? maximum.at_end : maximum.before;
     error = std::max(error, std::abs(points.stress[0][p] / traction - 1.0));
   }
-  return greatest;
+  return maximum;
 }
 
 VerifyRun run_bar(const VerifyCase& given) {
   Watch watch(given);
-  StressErrors greatest;
+  StressErrors maximum;
   for (const double share : {1.0, 0.13, 0.31, 0.5, 0.777}) {
     const StressErrors found = errors_at_rest(given, share, watch);
-    greatest.at_end = std::max(greatest.at_end, found.at_end);
-    greatest.before = std::max(greatest.before, found.before);
+    maximum.at_end = std::max(maximum.at_end, found.at_end);
+    maximum.before = std::max(maximum.before, found.before);
   }
-  return {greatest.at_end, watch.ns(), {greatest.before}};
+  return {maximum.at_end, watch.ns(), {maximum.before}};
 }
 
 /// Where domains fill the bar, a uniform stress is in equilibrium with the traction. Hats at points and splines do not
 /// end where the bar does.
 Expectation expectation(const SchemeTraits& scheme) {
   if (scheme.domain == PointDomain::none) return {};
-  return {.text = "uniform", .most_error = 1e-4};
+  return {.text = "uniform", .max_error = 1e-4};
 }
 
 } // namespace

@@ -36,14 +36,14 @@ BandLine densest_strip(const BandSamples& band) {
   const double width = 2.0 * std::sqrt(area / static_cast<double>(band.size()));
   std::vector<double> strips(static_cast<std::size_t>(2.0 * reach / width) + 2);
   BandLine densest;
-  double most = 0.0;
+  double maximum = 0.0;
   for (int degree = -89; degree <= 90; ++degree) {
     const BandLine line{mean, degree * std::numbers::pi / 180.0};
     std::ranges::fill(strips, 0.0);
     for (const BandSample& s : band) strips[static_cast<std::size_t>((line.across(s) + reach) / width)] += dilation(s);
     for (std::size_t k = 0; k + 1 < strips.size(); ++k) {
-      if (strips[k] + strips[k + 1] <= most) continue;
-      most = strips[k] + strips[k + 1];
+      if (strips[k] + strips[k + 1] <= maximum) continue;
+      maximum = strips[k] + strips[k + 1];
       densest = line;
       const double shift = static_cast<double>(k + 1) * width - reach;
       densest.centre += shift * Vec<2>(-std::sin(line.angle), std::cos(line.angle));

@@ -6,8 +6,8 @@ namespace riedel {
 
 namespace {
 
-constexpr double least_share = 0.02; ///< of the confining pressure, below which a point carries no stress to speak of
-constexpr double block = 0.05;       ///< change of void ratio up to which a point belongs to a block
+constexpr double min_share = 0.02; ///< of the confining pressure, below which a point carries no stress to speak of
+constexpr double block = 0.05;     ///< change of void ratio up to which a point belongs to a block
 
 /// Change of the void ratio since the start, or without one of the volume, of the point with this id.
 template <int Dim>
@@ -46,10 +46,10 @@ double alternation(const Body<Dim>& body, std::size_t in_row, double usual_void_
 }
 
 template <int Dim>
-std::int64_t stressless(const Points<Dim>& points, double least) {
+std::int64_t stressless(const Points<Dim>& points, double minimum) {
   std::int64_t count = 0;
   for (Index p = 0; p < points.size(); ++p)
-    count += -(points.stress[0][p] + points.stress[1][p] + points.stress[2][p]) / 3.0 < least;
+    count += -(points.stress[0][p] + points.stress[1][p] + points.stress[2][p]) / 3.0 < minimum;
   return count;
 }
 
@@ -71,7 +71,7 @@ double upper_velocity(const Points<Dim>& points, std::size_t in_layer, const Vec
 template <int Dim>
 CheapQuality cheap_quality(const Body<Dim>& specimen, const SpecimenRows& rows) {
   return {.alternation = alternation(specimen, rows.in_row, rows.void_ratio),
-          .stressless = stressless(specimen.points, least_share * rows.pressure),
+          .stressless = stressless(specimen.points, min_share * rows.pressure),
           .block_velocity = upper_velocity(specimen.points, rows.in_layer, rows.across)};
 }
 

@@ -47,9 +47,9 @@ struct Stacks {
 Stacks stacks_of(const Frame& slab) {
   const std::vector<double>& u = slab.field("displacement").values;
   const std::vector<double>&V = slab.field("volume").values, &J = slab.field("volume_ratio").values;
-  double least = V.front() / J.front();
-  for (std::size_t p = 0; p < slab.points(); ++p) least = std::min(least, V[p] / J[p]);
-  Plane plane(0.25 * std::cbrt(least)); // a quarter of the distance between points
+  double minimum = V.front() / J.front();
+  for (std::size_t p = 0; p < slab.points(); ++p) minimum = std::min(minimum, V[p] / J[p]);
+  Plane plane(0.25 * std::cbrt(minimum)); // a quarter of the distance between points
   Stacks stacks;
   for (std::size_t p = 0; p < slab.points(); ++p)
     stacks.of_point.push_back(plane.column(slab.position[3 * p] - u[3 * p], slab.position[3 * p + 1] - u[3 * p + 1]));

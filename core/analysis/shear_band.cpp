@@ -46,11 +46,11 @@ BandSamples collect(const BandFields& f) {
 void assign_to_bands(BandSamples& samples) {
   const auto volume = [](const BandSample& s) { return s.volume; };
   const double deviation = median(samples, [](const BandSample& s) { return std::abs(s.rise); });
-  const double most = quantile(
+  const double maximum = quantile(
       samples, 0.99, [](const BandSample& s) { return s.rise; }, volume);
-  const double least = std::min(3.0 * normal_deviation * deviation, 0.5 * most);
+  const double minimum = std::min(3.0 * normal_deviation * deviation, 0.5 * maximum);
   for (BandSample& s : samples)
-    if (s.rise > least) s.band = (s.rotation > 0.0) - (s.rotation < 0.0);
+    if (s.rise > minimum) s.band = (s.rotation > 0.0) - (s.rotation < 0.0);
 }
 
 double localisation_ratio(const BandSamples& samples) {
@@ -120,9 +120,9 @@ std::pair<double, double> area_and_void_ratio(const BandSamples& samples, const 
 
 /// Does a measure exceed what it must, or come so near that another run of the same test may answer otherwise?
 enum class Answer { no, nearly, yes };
-Answer exceeds(double measure, double least) {
+Answer exceeds(double measure, double minimum) {
   constexpr double near = 0.8;
-  return measure >= least ? Answer::yes : measure >= near * least ? Answer::nearly : Answer::no;
+  return measure >= minimum ? Answer::yes : measure >= near * minimum ? Answer::nearly : Answer::no;
 }
 
 /// Strain that has gathered along the specimen: a band where that zone is slender, and diffuse where it is not, or
@@ -130,10 +130,10 @@ Answer exceeds(double measure, double least) {
 BandKind kind_of(const BandSamples& samples, const ShearBand& band, const Width& width, const BandSettings& settings) {
   const auto [leftmost, rightmost] = std::ranges::minmax(samples, {}, [](const BandSample& s) { return s.x[0]; });
   const Answer gathered =
-      std::min({exceeds(band.localisation_ratio, settings.least_ratio), exceeds(width.peak, settings.least_dilation),
+      std::min({exceeds(band.localisation_ratio, settings.min_ratio), exceeds(width.peak, settings.min_dilation),
                 exceeds(band.straight_length_m, 0.4 * (rightmost.x[0] - leftmost.x[0]))});
   if (gathered == Answer::no) return BandKind::none;
-  const bool slender = band.straight_length_m >= settings.least_slenderness * band.thickness_fwhm_m;
+  const bool slender = band.straight_length_m >= settings.min_slenderness * band.thickness_fwhm_m;
   return gathered == Answer::yes && slender ? BandKind::single : BandKind::diffuse;
 }
 
@@ -185,11 +185,11 @@ std::string ShearBand::doubt() const {
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (kind == BandKind::none) return text;
-  const double least = std::fmin(thickness_m, std::fmin(thickness_fwhm_m, thickness_rate_m)),
-               most = std::fmax(thickness_m, std::fmax(thickness_fwhm_m, thickness_rate_m));
-  if (most >= far * least)
-    add("its widths by void ratio, at half maximum and by rate differ by a factor of " + short_text(most / least, 2) +
-        ", and none of them can be trusted");
+  const double minimum = std::fmin(thickness_m, std::fmin(thickness_fwhm_m, thickness_rate_m)),
+               maximum = std::fmax(thickness_m, std::fmax(thickness_fwhm_m, thickness_rate_m));
+  if (maximum >= far * minimum)
+    add("its widths by void ratio, at half maximum and by rate differ by a factor of " +
+        short_text(maximum / minimum, 2) + ", and none of them can be trusted");
   if (found && std::abs(conjugate_ratio - even_ratio) <= 0.1)
     add("the weaker of the two bands has " + short_text(conjugate_ratio, 2) +
         " of the stronger one: \"single\" or \"x\" is a matter of chance");
@@ -198,14 +198,14 @@ std::string ShearBand::doubt() const {
 
 ShearBand measure_shear_band(const BandFields& fields, const BandSettings& given) {
   BandSettings settings = given;
-  if (fields.by_shear()) settings.least_dilation = 0.0;
+  if (fields.by_shear()) settings.min_dilation = 0.0;
   BandSamples samples = collect(fields);
   assign_to_bands(samples);
   const double right = dilated_volume(samples, 1), left = dilated_volume(samples, -1);
   const double ratio = localisation_ratio(samples);
 
   ShearBand band;
-  if (exceeds(ratio, settings.least_ratio) != Answer::no)
+  if (exceeds(ratio, settings.min_ratio) != Answer::no)
     band = measure(samples, right >= left ? 1 : -1, ratio, settings);
   if (band.kind == BandKind::none) band = {.localisation_ratio = ratio};
   band.by_shear = fields.by_shear();

@@ -24,11 +24,11 @@ struct BandFields {
 };
 
 struct BandSettings {
-  double length = 0.0;             ///< l_c, to express the thickness in; 0: local [m]
-  double threshold = 0.70;         ///< void ratio from which the paper counts a point to the band [-]
-  double least_ratio = 2.0;        ///< localisation ratio below which there is no band [-]
-  double least_dilation = 0.01;    ///< rise of e over the rest of the specimen below which there is no band [-]
-  double least_slenderness = 1.25; ///< length of the straight part over the width below which a zone is diffuse [-]
+  double length = 0.0;           ///< l_c, to express the thickness in; 0: local [m]
+  double threshold = 0.70;       ///< void ratio from which the paper counts a point to the band [-]
+  double min_ratio = 2.0;        ///< localisation ratio below which there is no band [-]
+  double min_dilation = 0.01;    ///< rise of e over the rest of the specimen below which there is no band [-]
+  double min_slenderness = 1.25; ///< length of the straight part over the width below which a zone is diffuse [-]
 };
 
 /// `diffuse`: strain has gathered, but in no band to speak of, or hardly.

@@ -68,7 +68,7 @@ StressQuality measure_stress_quality(const QualityFields& f, const ShearBand& ba
   if (!f.void_ratio.empty()) quality.void_ratio_scatter = scatter(f.void_ratio).second;
   const auto [rate, of_rate] = scatter(f.rate);
   if (rate > 0.0) quality.rate_scatter = of_rate / rate;
-  for (const std::size_t p : core) quality.without_stress += f.pressure[p] < settings.least_pressure;
+  for (const std::size_t p : core) quality.without_stress += f.pressure[p] < settings.min_pressure;
   return quality;
 }
 

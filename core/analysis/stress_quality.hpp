@@ -17,9 +17,9 @@ struct QualityFields {
 };
 
 struct QualitySettings {
-  double core = 0.0;           ///< distance from the band's line up to which a point is in the core [m]
-  double smoothing = 0.0;      ///< a of the weights exp(−(r/a)²) of a local mean over all points within `core` [m]
-  double least_pressure = 0.0; ///< below which a point carries no stress to speak of [Pa]
+  double core = 0.0;         ///< distance from the band's line up to which a point is in the core [m]
+  double smoothing = 0.0;    ///< a of the weights exp(−(r/a)²) of a local mean over all points within `core` [m]
+  double min_pressure = 0.0; ///< below which a point carries no stress to speak of [Pa]
 };
 
 /// Scatter about the local mean in the band's core, the outer fifths of the band's length left out; `no_figure` without

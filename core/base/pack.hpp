@@ -18,7 +18,7 @@ inline std::array<Index, pack_size> whole_numbers(const Pack& a) {
   return answer;
 }
 
-inline double greatest(const Pack& a) {
+inline double maximum(const Pack& a) {
   std::array<double, pack_size> lane;
   a.store(lane.data());
   return *std::max_element(lane.begin(), lane.end());

@@ -11,13 +11,13 @@
 
 namespace riedel {
 
-inline int most_threads() { return omp_get_max_threads(); }
+inline int max_threads() { return omp_get_max_threads(); }
 inline int this_thread() { return omp_get_thread_num(); } ///< 0 … most_threads() − 1
 
 /// No more threads than this while it lives: for work that is too small to share.
 class ThreadLimit {
 public:
-  explicit ThreadLimit(int most) : before_(most_threads()) { omp_set_num_threads(std::min(most, before_)); }
+  explicit ThreadLimit(int maximum) : before_(max_threads()) { omp_set_num_threads(std::min(maximum, before_)); }
   ~ThreadLimit() { omp_set_num_threads(before_); }
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;

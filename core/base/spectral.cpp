@@ -24,11 +24,11 @@ void rotate_out(Mat<3>& a, Mat<3>& v, int i, int j) {
 } // namespace
 
 Spectral spectral(const Sym<double>& given) {
-  constexpr int most_sweeps = 20; // the error falls quadratically: four or five are enough
+  constexpr int max_sweeps = 20; // the error falls quadratically: four or five are enough
   Mat<3> a = to_matrix(given);
   Spectral answer{.values = {}, .directions = Mat<3>::Identity()};
   const double negligible = 1e-34 * a.squaredNorm();
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     const double off = a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2);
     if (!(off > negligible)) break;
     rotate_out(a, answer.directions, 0, 1);

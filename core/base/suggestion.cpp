@@ -44,8 +44,8 @@ int distance_meant(std::string_view word, std::string_view known) {
 std::string nearest(std::string_view word, std::span<const std::string> known) {
   if (word.size() > longest_word) return "";
   const int size = static_cast<int>(last_part(word).size());
-  const int most = std::min(std::max(1, size / 3), size - 1); // of "6" every other digit would be one letter away
-  int best = most + 1;
+  const int maximum = std::min(std::max(1, size / 3), size - 1); // of "6" every other digit would be one letter away
+  int best = maximum + 1;
   std::string answer;
   for (const std::string& candidate : known) {
     const int distance = distance_meant(word, candidate);

@@ -20,8 +20,8 @@ constexpr double shortest_window = 2e-3, shortest_watch = 0.05; ///< in a look, 
 
 std::vector<int> levels_of(ThreadRange range) {
   std::vector<int> levels;
-  for (int threads = std::max(1, range.least); threads < range.most; threads *= 2) levels.push_back(threads);
-  levels.push_back(std::max({1, range.least, range.most}));
+  for (int threads = std::max(1, range.minimum); threads < range.maximum; threads *= 2) levels.push_back(threads);
+  levels.push_back(std::max({1, range.minimum, range.maximum}));
   return levels;
 }
 
@@ -48,7 +48,7 @@ ThreadChoice::ThreadChoice(ThreadRange range, Clock clock)
   omp_set_num_threads(levels_.front());
 }
 
-int ThreadChoice::most_used() const {
+int ThreadChoice::max_used() const {
   return levels_[static_cast<std::size_t>(std::ranges::max_element(steps_) - steps_.begin())];
 }
 
@@ -98,8 +98,8 @@ void ThreadChoice::go_on(double step) {
   const double spent = wakes ? step : window_.seconds; // waking is not timed, but must not take that long
   if (others_turn && spent > hopeless * std::max(enough_steps * look_.own, shortest_window)) return decide(true);
   if (!window_.complete(shortest_window)) return;
-  double& least = others_turn ? look_.others : look_.own;
-  least = std::min(least, window_.mean());
+  double& minimum = others_turn ? look_.others : look_.own;
+  minimum = std::min(minimum, window_.mean());
   window_ = {};
   level_ = others_turn ? choice_ : look_.other;
   if (++look_.windows == enough_windows) decide(false);

@@ -10,7 +10,7 @@ namespace riedel {
 
 /// Numbers of threads that may be taken; `least` = `most`: exactly so many.
 struct ThreadRange {
-  int least = 1, most = 1;
+  int minimum = 1, maximum = 1;
 };
 
 /// Seconds on a clock that only goes forward [s].
@@ -35,7 +35,7 @@ public:
   }
 
   [[nodiscard]] int threads() const { return levels_[choice_]; } ///< the present choice
-  [[nodiscard]] int most_used() const;                           ///< by most of the steps so far
+  [[nodiscard]] int max_used() const;                            ///< by most of the steps so far
 
 private:
   /// Steps on one level, timed.

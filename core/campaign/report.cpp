@@ -65,11 +65,11 @@ std::vector<const RunResult*> by_scheme(Runs runs) {
 
 /// Nine at most, and whole rows of schemes.
 std::size_t panels_of_a_picture(Runs runs) {
-  constexpr std::size_t most = 9;
+  constexpr std::size_t maximum = 9;
   const std::vector<Setting> first = runs.empty() ? std::vector<Setting>{} : but_for_scheme(runs.front());
   const auto alike = static_cast<std::size_t>(
       std::ranges::count_if(runs, [&](const RunResult& run) { return but_for_scheme(run) == first; }));
-  return alike == 0 || alike > most ? most : most / alike * alike;
+  return alike == 0 || alike > maximum ? maximum : maximum / alike * alike;
 }
 
 /// The first of what a run differs in above the rest.
@@ -128,14 +128,14 @@ std::vector<std::string> write_campaign_pictures(const Plan& plan, Runs results,
     }
   if (!plan.kind->has_frames) return names;
   const double strain = common_strain(runs);
-  const std::size_t most = panels_of_a_picture(runs);
+  const std::size_t maximum = panels_of_a_picture(runs);
   for (const DrawnField& field : pictured_fields) {
     const auto [frames, labels] = frames_with(field, by_scheme(runs), strain);
-    for (std::size_t first = 0; first < frames.size(); first += most) {
+    for (std::size_t first = 0; first < frames.size(); first += maximum) {
       std::vector<Panel> panels;
-      for (std::size_t i = first; i < std::min(first + most, frames.size()); ++i)
+      for (std::size_t i = first; i < std::min(first + maximum, frames.size()); ++i)
         panels.push_back(panel_of(frames[i], labels[i]));
-      names.push_back(std::string(field.name) + "_" + std::to_string(1 + first / most) + ".png");
+      names.push_back(std::string(field.name) + "_" + std::to_string(1 + first / maximum) + ".png");
       write_field_pictures(folder / names.back(), panels,
                            {.field = field.name,
                             .component = field.component,

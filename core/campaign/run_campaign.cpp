@@ -97,10 +97,10 @@ public:
     constexpr auto between_looks = std::chrono::milliseconds(20);
     constexpr int looks_between_reports = 10;
     Progress progress(how_.command);
-    for (int look = 0; !waiting_.empty() || !workers_.empty(); ++look) {
+    for (int round = 0; !waiting_.empty() || !workers_.empty(); ++round) {
       if (how_.stop()) stop_all();
       while (!waiting_.empty() && workers_.size() < at_once_) start_next();
-      if (look % looks_between_reports == 0) report(progress);
+      if (round % looks_between_reports == 0) report(progress);
       std::this_thread::sleep_for(between_looks);
       std::erase_if(workers_, [&](Worker& worker) { return has_ended(worker); });
     }
@@ -116,9 +116,9 @@ private:
 
   /// Runs that the machine's memory holds at the same time.
   [[nodiscard]] std::size_t that_fit() const {
-    double most = 0.0;
-    for (const PlannedRun* run : waiting_) most = std::max(most, run->memory);
-    const double fit = memory_there().bytes / std::max(most, 1.0);
+    double maximum = 0.0;
+    for (const PlannedRun* run : waiting_) maximum = std::max(maximum, run->memory);
+    const double fit = memory_there().bytes / std::max(maximum, 1.0);
     return fit < static_cast<double>(runs_) ? static_cast<std::size_t>(fit) : runs_;
   }
 
@@ -147,9 +147,9 @@ private:
       return true;
     } catch (const fs::filesystem_error& error) {
       throw RunError(folder.string() + ": cannot be made ready: " + error.code().message());
-    } catch (const InputError& held) {
-      if (std::string_view(held.what()).find(FolderLock::refusal) == std::string_view::npos) throw;
-      print_warning(held.what());
+    } catch (const InputError& refusal) {
+      if (std::string_view(refusal.what()).find(FolderLock::refusal) == std::string_view::npos) throw;
+      print_warning(refusal.what());
       return false;
     }
   }

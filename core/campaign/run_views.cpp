@@ -112,10 +112,10 @@ std::string field_label(const DrawnField& field, double u_over_h, int digits) {
 }
 
 double common_strain(Runs runs) {
-  double least = 1.0;
+  double minimum = 1.0;
   for (const RunResult& run : runs)
-    if (run.status == RunStatus::done) least = std::min(least, run.history["u_over_h"].back());
-  return least;
+    if (run.status == RunStatus::done) minimum = std::min(minimum, run.history["u_over_h"].back());
+  return minimum;
 }
 
 Interval field_range(std::span<const Frame> frames, const DrawnField& field) {

@@ -14,7 +14,7 @@ namespace riedel {
 
 namespace {
 
-constexpr std::size_t most_errors = 100; ///< told at once
+constexpr std::size_t max_errors = 100; ///< told at once
 
 std::string unknown_key_text(const std::string& name, const Keys& keys) {
   std::vector<std::string> names;
@@ -121,7 +121,7 @@ CheckedValues CaseFile::check(const Keys& keys) const {
   std::unordered_map<std::string_view, const Key*> known;
   for (const Key& key : keys) known.emplace(key.name, &key);
   for (const RawEntry& given : given_) {
-    if (checked.errors.size() == most_errors) {
+    if (checked.errors.size() == max_errors) {
       checked.errors.push_back({{given.name}, "and perhaps more; no more are told"});
       break;
     }

@@ -4,7 +4,7 @@ namespace riedel {
 
 void check_offered(const Values& values, const Catalogue& catalogue, int dimensions, std::vector<Finding>& errors) {
   if (dimensions == 2) return;
-  const auto look = [&](const std::string& key, const auto& in_space) {
+  const auto check = [&](const std::string& key, const auto& in_space) {
     if (!values.has(key) || in_space.known(values.text(key))) return;
     std::string others;
     for (const std::string& name : in_space.names()) others += name + ", ";
@@ -12,10 +12,10 @@ void check_offered(const Values& values, const Catalogue& catalogue, int dimensi
                       "\"" + values.text(key) + "\" is not offered in three dimensions; take " +
                           (others.empty() ? "" : "one of " + others + "or ") + "grid.dimensions = 2"});
   };
-  look("scheme", catalogue.in_3d.schemes);
-  look("nonlocal.search", catalogue.in_3d.searches);
-  look("nonlocal.averager", catalogue.in_3d.averagers);
-  look("time.transfer", catalogue.in_3d.transfers);
+  check("scheme", catalogue.in_3d.schemes);
+  check("nonlocal.search", catalogue.in_3d.searches);
+  check("nonlocal.averager", catalogue.in_3d.averagers);
+  check("time.transfer", catalogue.in_3d.transfers);
 }
 
 } // namespace riedel

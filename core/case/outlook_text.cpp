@@ -11,9 +11,10 @@ std::string outlook_head() { return "\n# What will run\n"; }
 std::string outlook_line(const std::string& name, const std::string& text) { return "# " + name + ": " + text + "\n"; }
 
 std::string threads_text(ThreadRange threads) {
-  const std::string most = std::to_string(threads.most);
-  return threads.least == threads.most ? most
-                                       : std::to_string(threads.least) + " to " + most + ", chosen while it runs";
+  const std::string maximum = std::to_string(threads.maximum);
+  return threads.minimum == threads.maximum
+             ? maximum
+             : std::to_string(threads.minimum) + " to " + maximum + ", chosen while it runs";
 }
 
 std::string product_text(const std::vector<std::int64_t>& counts) {

@@ -37,7 +37,7 @@ namespace riedel {
 namespace {
 
 constexpr std::size_t largest_case = 4 << 20; ///< [bytes]; it is written by hand or by this program
-constexpr std::size_t most_parts = 64;        ///< of a dotted name: each is a table in a table, and so a call in a call
+constexpr std::size_t max_parts = 64;         ///< of a dotted name: each is a table in a table, and so a call in a call
 
 constexpr std::size_t longest_name = 200; ///< in messages [bytes]
 constexpr std::size_t longest_text = 80;  ///< in messages [bytes]
@@ -155,7 +155,7 @@ std::optional<std::size_t> endless_name(std::string_view signs) {
   for (std::size_t i = 0; i < signs.size(); ++i) {
     const char c = signs[i];
     if (std::string_view("\n,=[]{}#").find(c) != std::string_view::npos) dots = 0;
-    if (c == '.' && ++dots > most_parts) return i;
+    if (c == '.' && ++dots > max_parts) return i;
   }
   return std::nullopt;
 }
@@ -170,7 +170,7 @@ void refuse_odd_signs(std::string_view text, const std::string& called) {
       refuse(called, position_in(text, i), "a letter beyond ASCII, which stands in quotes only");
   if (const auto at = endless_name(signs))
     refuse(called, position_in(text, *at),
-           "a name with more than " + std::to_string(most_parts) + " dots, which no key has");
+           "a name with more than " + std::to_string(max_parts) + " dots, which no key has");
 }
 
 void refuse_what_is_no_text(std::string_view text, const std::string& called) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t longest_shown = 80; ///< in messages [bytes]
 constexpr std::size_t longest_name =
     200; ///< of a folder; file systems take 255, and frames and drafts add to it [bytes]
-constexpr std::size_t most_runs = 1000;
+constexpr std::size_t max_runs = 1000;
 
 [[noreturn]] void refuse(const std::string& wish, const std::string& why) {
   throw InputError("--vary " + readable(wish, longest_shown) + ": " + why);
@@ -96,7 +96,7 @@ Variation variation_of(const std::string& wish) {
     if (value.empty()) refuse(wish, "a value of the list is empty");
     if (std::ranges::find(variation.values, value) != variation.values.end())
       refuse(wish, readable(value, longest_shown) + " stands twice");
-    if (variation.values.size() == most_runs) refuse(wish, "more than " + std::to_string(most_runs) + " values");
+    if (variation.values.size() == max_runs) refuse(wish, "more than " + std::to_string(max_runs) + " values");
     variation.values.push_back(value);
   }
   return variation;
@@ -115,10 +115,10 @@ std::vector<Variation> variations_of(const std::vector<std::string>& wishes) {
 
 std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variation>& variations) {
   std::size_t runs = 1;
-  for (const Variation& variation : variations) runs = std::min(runs, most_runs) * variation.values.size();
-  if (runs > most_runs)
-    throw InputError("--vary: the lists make more than " + std::to_string(most_runs) +
-                     " runs; allowed: " + std::to_string(most_runs) + " in one campaign");
+  for (const Variation& variation : variations) runs = std::min(runs, max_runs) * variation.values.size();
+  if (runs > max_runs)
+    throw InputError("--vary: the lists make more than " + std::to_string(max_runs) +
+                     " runs; allowed: " + std::to_string(max_runs) + " in one campaign");
   std::vector<Variant> all{{.given = given, .name = "", .label = ""}};
   for (const Variation& variation : variations) {
     std::vector<Variant> crossed;

@@ -63,10 +63,10 @@ void paint_field(RasterCanvas& canvas, const Frame& frame, const FieldColors& co
     }
 }
 
-double round_length(double most) {
-  const double power = std::pow(10.0, std::floor(std::log10(most) + 1e-9));
+double round_length(double maximum) {
+  const double power = std::pow(10.0, std::floor(std::log10(maximum) + 1e-9));
   for (const double factor : {5.0, 2.0})
-    if (factor * power <= most * (1.0 + 1e-9)) return factor * power;
+    if (factor * power <= maximum * (1.0 + 1e-9)) return factor * power;
   return power;
 }
 

@@ -22,7 +22,7 @@ struct FieldColors {
 Box view_of(const std::vector<const Frame*>& frames);
 
 /// The greatest round length, 1, 2 or 5 times a power of ten, that is no longer than `most` [m].
-double round_length(double most);
+double round_length(double maximum);
 
 /// "20 mm" [m], in the unit that makes the number short.
 std::string length_text(double length);

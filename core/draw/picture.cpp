@@ -15,7 +15,7 @@ constexpr Color grey{0.45, 0.45, 0.45};
 constexpr double millimetre = 1e-3; ///< [m]
 constexpr int bar_ticks = 6;
 constexpr double title_size = 1.1, subtitle_size = 0.9, heading_size = 1.25; ///< over the font's
-constexpr std::size_t most_lines = 3;
+constexpr std::size_t max_lines = 3;
 
 void check(const std::vector<Panel>& panels, const PictureOptions& options) {
   if (panels.empty()) throw std::logic_error("a picture without panels");
@@ -63,18 +63,18 @@ Interval millimetres(double low, double high) { return {low / millimetre, high /
 
 /// Titles in lines of at most that width. @return width of the widest
 double wrap_titles(Layout& l, const std::vector<Panel>& panels, const PictureOptions& options, double width) {
-  l.heading = lines_of(options.title, heading_size * l.font, options.width - 3 * l.font, most_lines);
-  double most = 0;
+  l.heading = lines_of(options.title, heading_size * l.font, options.width - 3 * l.font, max_lines);
+  double maximum = 0;
   l.title_lines = l.subtitle_lines = 0;
   for (const Panel& panel : panels) {
-    l.titles.push_back(lines_of(panel.title, title_size * l.font, width, most_lines));
-    l.subtitles.push_back(lines_of(panel.subtitle, subtitle_size * l.font, width, most_lines));
+    l.titles.push_back(lines_of(panel.title, title_size * l.font, width, max_lines));
+    l.subtitles.push_back(lines_of(panel.subtitle, subtitle_size * l.font, width, max_lines));
     l.title_lines = std::max(l.title_lines, l.titles.back().size());
     l.subtitle_lines = std::max(l.subtitle_lines, l.subtitles.back().size());
-    most = std::max(
-        {most, widest(l.titles.back(), title_size * l.font), widest(l.subtitles.back(), subtitle_size * l.font)});
+    maximum = std::max(
+        {maximum, widest(l.titles.back(), title_size * l.font), widest(l.subtitles.back(), subtitle_size * l.font)});
   }
-  return most;
+  return maximum;
 }
 
 /// Height of what stands above the panels, in sizes of the font.

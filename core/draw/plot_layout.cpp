@@ -14,7 +14,7 @@ namespace {
 constexpr double label_gap = 3;
 constexpr double most_beside = 0.45; ///< of the sheet's width, for a legend beside the axes
 constexpr double text_space = line_of_text * small_font;
-constexpr std::size_t most_lines = 3;
+constexpr std::size_t max_lines = 3;
 
 PlotAxis x_axis(const Plot& plot) {
   Extent extent;
@@ -62,13 +62,13 @@ void put_x_ticks(PlotAxis& axis, const Plot& plot, double width) {
 
 /// Texts around the axes, and what they leave for them.
 void frame_axes(PlotLayout& l, const Plot& plot, double right_margin) {
-  l.title = lines_of(plot.title, large_font, l.width - 4 * gap, most_lines);
-  l.x_label = lines_of(plot.x_label, small_font, l.width - 4 * gap, most_lines);
+  l.title = lines_of(plot.title, large_font, l.width - 4 * gap, max_lines);
+  l.x_label = lines_of(plot.x_label, small_font, l.width - 4 * gap, max_lines);
   const double above =
       2 * gap + (l.title.empty() ? 0 : static_cast<double>(l.title.size()) * line_of_text * large_font + gap);
   const double label_rows = static_cast<double>(std::max<std::size_t>(l.x_label.size(), 1));
   const double below = tick_length + small_font + label_rows * text_space + 3 * gap;
-  l.y_label = lines_of(plot.y_label, small_font, plot.height - above - below, most_lines);
+  l.y_label = lines_of(plot.y_label, small_font, plot.height - above - below, max_lines);
   const double label = l.y_label.empty() ? 0 : static_cast<double>(l.y_label.size()) * text_space + 1.5 * gap;
   Box& area = l.axes.area;
   area = {2 * gap + label + widest(l.axes.y.labels, small_font) + tick_length, above, l.width - right_margin - 3 * gap,
@@ -139,7 +139,7 @@ void put_legend_beneath(PlotLayout& l, double entry_width) {
   const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor((room + 3 * gap) / column)));
   std::size_t lines = 1;
   for (LegendEntry& entry : l.legend) {
-    entry.lines = lines_of(entry.curve->series->label, small_font, room - legend_sample - gap, most_lines);
+    entry.lines = lines_of(entry.curve->series->label, small_font, room - legend_sample - gap, max_lines);
     lines = std::max(lines, entry.lines.size());
   }
   const double row = legend_row + static_cast<double>(lines - 1) * text_space;

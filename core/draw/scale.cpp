@@ -8,8 +8,8 @@
 namespace riedel {
 
 void Extent::add(double value) {
-  constexpr double most = 1e300; // the width of the interval must be a number, too
-  if (!(std::abs(value) <= most)) return;
+  constexpr double maximum = 1e300; // the width of the interval must be a number, too
+  if (!(std::abs(value) <= maximum)) return;
   low_ = std::min(low_, value);
   high_ = std::max(high_, value);
 }
@@ -36,8 +36,8 @@ std::vector<double> round_ticks(const Interval& interval, int about) {
   const double slack = 1e-9 * interval.width(), first = std::ceil((interval.low - slack) / step);
   std::vector<double> ticks;
   for (int k = 0; (first + k) * step <= interval.high + slack; ++k) ticks.push_back((first + k) * step);
-  constexpr int most = 16; // one alone says nothing of the scale
-  return ticks.size() < 2 && 2 * about <= most ? round_ticks(interval, 2 * about) : ticks;
+  constexpr int maximum = 16; // one alone says nothing of the scale
+  return ticks.size() < 2 && 2 * about <= maximum ? round_ticks(interval, 2 * about) : ticks;
 }
 
 namespace {
@@ -87,12 +87,12 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
   return labels;
 }
 
-std::vector<double> log_ticks(const Interval& logarithms, int most) {
+std::vector<double> log_ticks(const Interval& logarithms, int maximum) {
   constexpr double slack = 1e-9;
   const double decades = logarithms.width();
-  const double stride = std::max(1.0, std::ceil(decades / most));
+  const double stride = std::max(1.0, std::ceil(decades / maximum));
   std::vector<double> ticks;
-  const bool few = 3 * decades <= most;
+  const bool few = 3 * decades <= maximum;
   for (double power = std::floor(logarithms.low / stride) * stride; power <= logarithms.high; power += stride)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double tick = power + std::log10(factor);
@@ -102,7 +102,7 @@ std::vector<double> log_ticks(const Interval& logarithms, int most) {
   if (ticks.size() >= 2) return ticks;
   ticks.clear();
   for (const double tick :
-       round_ticks({std::pow(10.0, logarithms.low), std::pow(10.0, logarithms.high)}, std::min(most, 4)))
+       round_ticks({std::pow(10.0, logarithms.low), std::pow(10.0, logarithms.high)}, std::min(maximum, 4)))
     ticks.push_back(std::log10(tick));
   return ticks;
 }

@@ -34,7 +34,7 @@ std::vector<double> round_ticks(const Interval& interval, int about);
 
 /// Ticks of a logarithmic axis: powers of ten within the interval of decimal logarithms; where it is short, 2 and 5
 /// times these, too, or round numbers; where it is long, not every one. @return decimal logarithms
-std::vector<double> log_ticks(const Interval& logarithms, int most = 10);
+std::vector<double> log_ticks(const Interval& logarithms, int maximum = 10);
 
 /// The label of each tick on a logarithmic axis.
 std::vector<std::string> log_tick_labels(const std::vector<double>& ticks);

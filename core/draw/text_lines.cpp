@@ -49,10 +49,10 @@ std::string cut_off(std::string& text, double size, double width) {
 
 } // namespace
 
-std::vector<std::string> lines_of(const std::string& text, double size, double width, std::size_t most) {
+std::vector<std::string> lines_of(const std::string& text, double size, double width, std::size_t maximum) {
   std::vector<std::string> lines;
   std::string rest = text;
-  while (!rest.empty() && lines.size() < most) lines.push_back(cut_off(rest, size, width));
+  while (!rest.empty() && lines.size() < maximum) lines.push_back(cut_off(rest, size, width));
   if (rest.empty() || lines.empty()) return lines;
   std::string& last = lines.back();
   while (!last.empty() && text_width(last + "…", size) > width) drop_last_letter(last);

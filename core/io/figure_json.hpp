@@ -24,8 +24,8 @@ inline bool flag_in(const nlohmann::ordered_json& json, const char* name) {
 
 /// A summary's text, or `otherwise` where it is null or absent.
 inline std::string text_in(const nlohmann::ordered_json& json, const char* name, const std::string& otherwise) {
-  const bool told = json.is_object() && json.contains(name) && json.at(name).is_string();
-  return told ? json.at(name).get<std::string>() : otherwise;
+  const bool present = json.is_object() && json.contains(name) && json.at(name).is_string();
+  return present ? json.at(name).get<std::string>() : otherwise;
 }
 
 } // namespace riedel

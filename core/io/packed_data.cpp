@@ -52,7 +52,7 @@ constexpr std::size_t word = sizeof(std::uint32_t);
 
 /// What stands behind a length in one word, which it must have.
 std::string after_length(std::string bytes, std::size_t size) {
-  if (bytes.size() != size + word || word_at(bytes, 0) != size) refuse("data of another size than told");
+  if (bytes.size() != size + word || word_at(bytes, 0) != size) refuse("data of another size than stated");
   return bytes.substr(word);
 }
 
@@ -152,11 +152,11 @@ std::string unpacked(std::string_view text, std::size_t size, Unpack unpack) {
   std::size_t at = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t packed = word_at(header, fixed + b), wanted = b + 1 == blocks && last != 0 ? last : full;
-    if (packed > data.size() - at || wanted > size - bytes.size()) refuse("data of another size than told");
+    if (packed > data.size() - at || wanted > size - bytes.size()) refuse("data of another size than stated");
     bytes += unpack(std::string_view(data).substr(at, packed), wanted);
     at += packed;
   }
-  if (bytes.size() != size || at != data.size()) refuse("data of another size than told");
+  if (bytes.size() != size || at != data.size()) refuse("data of another size than stated");
   return bytes;
 }
 

@@ -128,13 +128,13 @@ std::optional<Unit> parse_unit(std::string_view text) {
 
 /// The number `digits` × 10^tens, rounded once.
 double scaled(std::string_view digits, int tens) {
-  constexpr int most = 10000; // far beyond what a double holds
+  constexpr int maximum = 10000; // far beyond what a double holds
   const std::size_t split = digits.find_first_of("eE");
   int exponent = 0;
   if (split != std::string_view::npos) {
     const std::size_t start = split + (digits[split + 1] == '+' ? 2 : 1);
     const auto [end, error] = std::from_chars(digits.data() + start, digits.data() + digits.size(), exponent);
-    if (error != std::errc{} || exponent < -most || exponent > most) refuse_size(); // abs(INT_MIN) is negative
+    if (error != std::errc{} || exponent < -maximum || exponent > maximum) refuse_size(); // abs(INT_MIN) is negative
   }
   const std::string text = std::string(digits.substr(0, split)) + "e" + std::to_string(exponent + tens);
   double value = 0.0;

@@ -59,8 +59,8 @@ std::vector<double> values_in(const XmlElement& array, std::size_t rows, std::si
   const std::string type = array.attribute("type");
   const std::string_view text = trimmed(array.text);
   const std::size_t size = rows * components * size_of_type(type);
-  constexpr std::size_t most_for_a_letter = 1032; // zlib makes no more of a byte
-  if (array.attribute("format") != "binary" || size / most_for_a_letter > text.size())
+  constexpr std::size_t max_for_a_letter = 1032; // zlib makes no more of a byte
+  if (array.attribute("format") != "binary" || size / max_for_a_letter > text.size())
     throw InputError("the array '" + array.attribute("Name") + "' holds no such numbers");
   return numbers_of(unpacked(text, size, unpack), type);
 }
@@ -77,9 +77,9 @@ std::map<std::string, double> scalars_in(const XmlElement& data, Unpack unpack) 
 }
 
 Field field_of(const XmlElement& array, std::size_t cells, Unpack unpack) {
-  constexpr std::size_t most_components = 9;
+  constexpr std::size_t max_components = 9;
   const std::size_t components = count_in(array, "NumberOfComponents", 1);
-  if (components == 0 || components > most_components) throw InputError("an array with too many components");
+  if (components == 0 || components > max_components) throw InputError("an array with too many components");
   Field field{.name = array.attribute("Name"),
               .components = static_cast<int>(components),
               .unit = "",

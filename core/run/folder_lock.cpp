@@ -95,10 +95,10 @@ bool FolderLock::take(Locker lock) {
 }
 
 bool FolderLock::is_still_there() const {
-  struct stat held {
+  struct stat locked {
   }, there{};
-  return ::fstat(descriptor_, &held) == 0 && ::lstat(file_.c_str(), &there) == 0 && held.st_ino == there.st_ino &&
-         held.st_dev == there.st_dev;
+  return ::fstat(descriptor_, &locked) == 0 && ::lstat(file_.c_str(), &there) == 0 && locked.st_ino == there.st_ino &&
+         locked.st_dev == there.st_dev;
 }
 
 void FolderLock::tell(const std::string& command) const {

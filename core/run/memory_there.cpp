@@ -83,9 +83,9 @@ std::optional<double> left_of(int resource, const fs::path& status, const std::s
 } // namespace
 
 MemoryThere memory_there(const fs::path& root) {
-  MemoryThere least{std::numeric_limits<double>::infinity(), "no limit is known"};
+  MemoryThere minimum{std::numeric_limits<double>::infinity(), "no limit is known"};
   const auto consider = [&](std::optional<double> bytes, const std::string& by) {
-    if (bytes && *bytes < least.bytes) least = {std::max(*bytes, 0.0), by};
+    if (bytes && *bytes < minimum.bytes) minimum = {std::max(*bytes, 0.0), by};
   };
   if (const auto available = entry(root / "proc/meminfo", "MemAvailable:"))
     consider(kilobyte * *available, "the machine has left");
@@ -93,7 +93,7 @@ MemoryThere memory_there(const fs::path& root) {
   const fs::path status = root / "proc/self/status";
   consider(left_of(RLIMIT_AS, status, "VmSize:"), "the limit of address space (ulimit -v) leaves");
   consider(left_of(RLIMIT_DATA, status, "VmData:"), "the limit of data (ulimit -d) leaves");
-  return least;
+  return minimum;
 }
 
 std::string bytes_text(double bytes) {

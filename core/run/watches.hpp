@@ -13,10 +13,10 @@ public:
   static constexpr double settled = 0.005; ///< strain before which the internal energy is too small to compare with
 
   void record(double strain, const Energies& now);
-  [[nodiscard]] double greatest() const { return greatest_; } ///< not a number before `settled` [-]
+  [[nodiscard]] double maximum() const { return maximum_; } ///< not a number before `settled` [-]
 
 private:
-  double greatest_ = std::numeric_limits<double>::quiet_NaN();
+  double maximum_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The greatest time step over the stable one. Warns once when a fixed step exceeds it.
@@ -26,14 +26,14 @@ public:
   void record(const Simulation<Dim>& simulation) {
     record(simulation.time_step(), simulation.crossing_time(), simulation.state().step);
   }
-  [[nodiscard]] double greatest() const { return greatest_; } ///< [-]
+  [[nodiscard]] double maximum() const { return maximum_; } ///< [-]
   /// "" or what to know before believing the numbers.
   [[nodiscard]] std::string doubt() const;
 
 private:
   void record(double time_step, double limit, std::int64_t step);
 
-  double greatest_ = 0.0;
+  double maximum_ = 0.0;
 };
 
 } // namespace riedel

@@ -55,7 +55,7 @@ std::vector<Boundary<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& 
                                       Behind behind) {
   const NodeBox<Dim> nodes = side(grid, name, axis, place, behind);
   std::vector<Boundary<Dim>> all;
-  for (int held = 0; held < Dim; ++held) all.push_back(fixed(name + "_" + "xyz"[held], nodes, held));
+  for (int axis = 0; axis < Dim; ++axis) all.push_back(fixed(name + "_" + "xyz"[axis], nodes, axis));
   return all;
 }
 

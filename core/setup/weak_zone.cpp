@@ -6,7 +6,7 @@ namespace riedel {
 
 namespace {
 
-constexpr std::size_t most_columns = most_state_columns - 1; ///< of the law itself
+constexpr std::size_t max_columns = max_state_columns - 1; ///< of the law itself
 
 /// Some consecutive points of a batch, without the column that tells the zone.
 class Part {
@@ -38,7 +38,7 @@ public:
   MaterialBatch batch;
 
 private:
-  std::array<double*, most_columns> columns_{};
+  std::array<double*, max_columns> columns_{};
   Motion motion_;
 };
 
@@ -47,10 +47,10 @@ private:
 WeakZoneLaw::WeakZoneLaw(std::unique_ptr<Material> sound, std::unique_ptr<Material> weak)
     : sound_(std::move(sound)), weak_(std::move(weak)) {
   const auto own = sound_->states();
-  if (static_cast<std::size_t>(state_components(own)) > most_columns ||
+  if (static_cast<std::size_t>(state_components(own)) > max_columns ||
       state_components(own) != state_components(weak_->states()))
     throw InputError("a weak zone: the law must declare the same state variables in it, " +
-                     std::to_string(most_columns) + " at the most");
+                     std::to_string(max_columns) + " at the most");
   states_.assign(own.begin(), own.end());
   states_.push_back({std::string(zone), "-", "1 where the strength is that of the weak zone"});
 }

@@ -15,19 +15,19 @@ struct PatchShape {
 
 /// The shapes that the transfers know; entry by entry, the last one, will always do.
 constexpr std::array<PatchShape, 5> patch_shapes{{{3, 3}, {2, 2}, {2, 4}, {4, 2}, {1, 1}}};
-constexpr int most_rows = 4;
+constexpr int max_rows = 4;
 
 /// The entries of eight stencils, one stencil per lane: entry a of lane k stands at a·8 + k. Entries come in patches,
 /// all of one shape, whose rows lie in every lane at the same offsets from a base of that lane. A patch holds no node
 /// twice. Copied by value into loops, so that the compiler knows that nobody changes it meanwhile.
 template <int Dim>
 struct StencilEntries {
-  Index* base = nullptr;              ///< nodes, [patches][8]
-  double* value = nullptr;            ///< N_ip [-], [count][8]
-  double* gradient = nullptr;         ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
-  int count = 0;                      ///< entries in use
-  PatchShape shape{1, 1};             ///< of all patches, one of `patch_shapes`
-  std::array<Index, most_rows> row{}; ///< offsets of the rows from the base
+  Index* base = nullptr;             ///< nodes, [patches][8]
+  double* value = nullptr;           ///< N_ip [-], [count][8]
+  double* gradient = nullptr;        ///< ∂N_ip/∂x_d [1/m], [count][Dim][8]
+  int count = 0;                     ///< entries in use
+  PatchShape shape{1, 1};            ///< of all patches, one of `patch_shapes`
+  std::array<Index, max_rows> row{}; ///< offsets of the rows from the base
 
   void set_base(int patch, const std::array<Index, pack_size>& nodes) const {
     std::copy(nodes.begin(), nodes.end(), base + patch * pack_size);

@@ -17,7 +17,7 @@ inline PackMatrix<2> matrix_of(const PlaneRotation& Q) {
 inline const PackMatrix<3>& matrix_of(const SpaceRotation& Q) { return Q; }
 
 /// Up to `most` points at a time; lives on the stack. A motion in the plane leaves the third axis as it is.
-template <int Dim, Index most>
+template <int Dim, Index maximum>
 class BlockMotion {
 public:
   BlockMotion() {
@@ -54,7 +54,7 @@ public:
   [[nodiscard]] const Motion& motion() const { return motion_; }
 
 private:
-  using Column = std::array<double, most>;
+  using Column = std::array<double, maximum>;
 
   /// (I + Δt L)⁻¹ F
   void find_gradient_before(const Points<Dim>& points, Index p, Index place, double dt) {

@@ -7,10 +7,10 @@ void bind_boundaries(State<Dim>& state, const Model<Dim>& model) {
   state.grid.walls = {};
   for (const Boundary<Dim>& condition : model.conditions) {
     condition->bind(state.grid, *model.scheme);
-    const std::array<Walls, Dim> told = condition->walls(state.grid);
+    const std::array<Walls, Dim> walls = condition->walls(state.grid);
     for (std::size_t a = 0; a < Dim; ++a) {
-      state.grid.walls[a].first = std::max(state.grid.walls[a].first, told[a].first);
-      state.grid.walls[a].last = std::min(state.grid.walls[a].last, told[a].last);
+      state.grid.walls[a].first = std::max(state.grid.walls[a].first, walls[a].first);
+      state.grid.walls[a].last = std::min(state.grid.walls[a].last, walls[a].last);
     }
   }
 }

@@ -18,9 +18,9 @@ void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::kinematics);
   for_each_gathered<Use::gradients>(state, model, [&](const Gathered<Dim>& sum, Body<Dim>& body, Index p) {
     deform(sum, body.points, p, model, dt);
-    std::array<Pack, Dim> way;
-    for (int a = 0; a < Dim; ++a) way[a] = Pack::load(body.way[a] + p);
-    move(body.points, p, way);
+    std::array<Pack, Dim> displacement_increment;
+    for (int a = 0; a < Dim; ++a) displacement_increment[a] = Pack::load(body.displacement_increment[a] + p);
+    move(body.points, p, displacement_increment);
   });
 }
 

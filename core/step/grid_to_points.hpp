@@ -9,7 +9,7 @@ namespace riedel {
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt);
 
-/// The same, then the move x_p += way that the transfer's remap of velocities has put off.
+/// The same, then the move x_p += Δt Σ N_ip v_i that the transfer's remap of velocities has put off.
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt);
 

@@ -56,7 +56,7 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
   for (Body<Dim>& body : state.bodies) {
     initialise(*model.scheme, state.grid, body.points);
     body.stencils.resize(body.points.size(), model.scheme->max_nodes(), model.keep_stencils);
-    body.way.resize(body.points.size());
+    body.displacement_increment.resize(body.points.size());
     if (model.stress_filter.on()) {
       state.nodes.smoothing.resize(state.nodes.size());
       if (body.points.expansion.components() == 0) {
@@ -77,7 +77,7 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
 
 template <int Dim>
 void locate_points(State<Dim>& state, const Model<Dim>& model) {
-  while (state.transfer_room.threads.size() < static_cast<std::size_t>(most_threads()))
+  while (state.transfer_room.threads.size() < static_cast<std::size_t>(max_threads()))
     state.transfer_room.threads.emplace_back(
         static_cast<std::size_t>(model.transfer->thread_data_size(model.scheme->max_nodes())));
   for (Body<Dim>& body : state.bodies) {

@@ -24,7 +24,7 @@ NodePower sum_over_nodes(State<Dim>& state, const Add& add) {
 
 /// Of a node that carries motion.
 template <int Dim>
-double least_mass(const State<Dim>& state, const Model<Dim>& model) {
+double min_mass(const State<Dim>& state, const Model<Dim>& model) {
   return model.scheme->mass_cutoff() * state.bodies.front().points.mass[0][0];
 }
 
@@ -44,12 +44,12 @@ template <int Dim>
 void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
   remember_velocities(state, model);
-  const double least = least_mass(state, model);
+  const double minimum = min_mass(state, model);
   const bool first = state.step == 0; // no strains before
   state.node_power = sum_over_nodes(state, [&](Index i, NodePower& power) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
     NodeMotion<Dim>& motion = state.nodes.motion[i];
-    if (sums.mass > least) {
+    if (sums.mass > minimum) {
       const double per_mass = 1.0 / sums.mass;
       const Vec<Dim> before = first ? Vec<Dim>(per_mass * sums.momentum) : motion.velocity;
       motion.acceleration = per_mass * sums.force + model.gravity;
@@ -65,11 +65,11 @@ void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
 template <int Dim>
 void divide_momentum(State<Dim>& state, const Model<Dim>& model) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
-  const double least = least_mass(state, model);
+  const double minimum = min_mass(state, model);
   const NodePower power = sum_over_nodes(state, [&](Index i, NodePower& sum) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
     NodeMotion<Dim>& motion = state.nodes.motion[i];
-    if (sums.mass > least) {
+    if (sums.mass > minimum) {
       motion.velocity = sums.momentum * (1.0 / sums.mass);
       sum.end += motion.acceleration.dot(sums.momentum);
     } else {

@@ -29,13 +29,13 @@ inline PlaneRotation polar_rotation(const PackMatrix<2>& F, const PackMatrix<2>&
 /// 1160–1174. It doubles its digits in each round, after as many rounds as the greatest stretch has powers of two. I
 /// where det F is not positive.
 inline PackMatrix<3> polar_factor(const PackMatrix<3>& F) {
-  constexpr int most_rounds = 30;
+  constexpr int max_rounds = 30;
   constexpr double enough = 1e-18; // of a change squared: what is left is its square
   PackMatrix<3> X = F;
   Pack det = determinant(X);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) X[i][j] = select(det > Pack(0.0), X[i][j], Pack(i == j ? 1.0 : 0.0));
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     const PackMatrix<3> C = cofactor(X);
     const Pack half_per_det = Pack(0.5) / determinant(X);
     Pack change(0.0);

@@ -16,27 +16,27 @@ namespace {
 constexpr std::int64_t steps_between_assessments = 10; // the wave speed changes by less than 1 % in that time
 
 /// max ‖v_p‖².
-double greatest_square(const Columns& v) {
+double max_square(const Columns& v) {
   std::array<double, block_size> squared;
-  double greatest = 0.0;
+  double maximum = 0.0;
   for (Index b = 0; b < v.size(); b += block_size) {
     const Index count = std::min(block_size, v.size() - b);
     squared.fill(0.0);
     for (int a = 0; a < v.components(); ++a)
       for (Index i = 0; i < count; ++i) squared[i] += square(v[a][b + i]);
-    greatest = std::max(greatest, *std::max_element(squared.begin(), squared.begin() + count));
+    maximum = std::max(maximum, *std::max_element(squared.begin(), squared.begin() + count));
   }
-  return greatest;
+  return maximum;
 }
 
 template <int Dim>
 void check_state_columns(const State<Dim>& state) {
   for (const Body<Dim>& body : state.bodies) {
     const int declared = state_components(body.material->states()), given = body.points.state.components();
-    if (given != declared || declared > most_state_columns)
+    if (given != declared || declared > max_state_columns)
       throw InputError("body '" + body.name + "': its law declares " + std::to_string(declared) +
                        " state columns, its points have " + std::to_string(given) + "; they must agree, " +
-                       std::to_string(most_state_columns) + " at the most");
+                       std::to_string(max_state_columns) + " at the most");
   }
 }
 
@@ -151,7 +151,7 @@ void Simulation<Dim>::assess_bodies() {
     const MaterialLimits found = watched(state_, body, [&] { return assess(body, limits_, state_.time, state_.step); });
     wave = std::max(wave, found.wave_speed);
     outside += found.out_of_bounds;
-    fastest_squared = std::max(fastest_squared, greatest_square(body.points.velocity));
+    fastest_squared = std::max(fastest_squared, max_square(body.points.velocity));
   }
   out_of_bounds_ = std::max(out_of_bounds_, outside);
   crossing_time_ = state_.grid.cell.minCoeff() / (wave + std::sqrt(fastest_squared));
@@ -169,7 +169,7 @@ void Simulation<Dim>::follow_platens(double dt) {
     const double fixed = grid.origin[a] + moving.fixed_row * grid.cell[a];
     const Index rows = moving.moving_row - moving.fixed_row;
     const double before = grid.cell[a];
-    grid.cell[a] += held(moving.platen).speed * dt / rows;
+    grid.cell[a] += boundary_report(moving.platen).speed * dt / rows;
     grid.stretch[a] *= grid.cell[a] / before;
     grid.origin[a] = fixed - moving.fixed_row * grid.cell[a];
     if (!(grid.cell[a] > 0.0))

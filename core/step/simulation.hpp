@@ -38,7 +38,9 @@ public:
   /// The boundary condition called `name`. Throws std::out_of_range.
   [[nodiscard]] const BoundaryCondition<Dim>& boundary(std::string_view name) const;
   /// Its velocity, and the force that it took in the last step.
-  [[nodiscard]] const BoundaryReport<Dim>& held(std::string_view name) const { return boundary(name).report(); }
+  [[nodiscard]] const BoundaryReport<Dim>& boundary_report(std::string_view name) const {
+    return boundary(name).report();
+  }
 
 private:
   void assess_bodies();

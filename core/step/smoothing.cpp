@@ -100,9 +100,9 @@ FieldMoments<Dim> moments(const Grid<Dim>& grid, const Body<Dim>& body, Range bl
 template <int Size>
 Eigen::Matrix<double, Size, Size> inverse(const Eigen::Matrix<double, Size, Size>& weights) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> solver(weights);
-  const double least = 1e-12 * solver.eigenvalues()[Size - 1];
+  const double minimum = 1e-12 * solver.eigenvalues()[Size - 1];
   Eigen::Matrix<double, Size, 1> values;
-  for (int a = 0; a < Size; ++a) values[a] = solver.eigenvalues()[a] > least ? 1.0 / solver.eigenvalues()[a] : 0.0;
+  for (int a = 0; a < Size; ++a) values[a] = solver.eigenvalues()[a] > minimum ? 1.0 / solver.eigenvalues()[a] : 0.0;
   return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
 }
 

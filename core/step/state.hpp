@@ -24,7 +24,7 @@ struct Body {
   Points<Dim> points;
   StencilBlocks<Dim> stencils;
   Slabs slabs;
-  Columns way{Dim}; ///< Δt Σ N_ip v_i, kept for the points' move at the end of a MUSL step [m]
+  Columns displacement_increment{Dim}; ///< Δt Σ N_ip v_i, kept for the points' move at the end of a MUSL step [m]
 
   SortSpace sort_space;                 ///< working space
   std::vector<char> slab_strays;        ///< working space: whether points of a slab touch rows that are not theirs

@@ -26,7 +26,7 @@ void StencilBlocks<Dim>::begin_step(const ShapeFunction<Dim>& scheme, const Grid
                                     PhaseClock& clock) {
   keeps_ = always_keeps_;
   if (!keeps_)
-    while (buffers_.size() < static_cast<std::size_t>(most_threads()))
+    while (buffers_.size() < static_cast<std::size_t>(max_threads()))
       buffers_.emplace_back().resize(stencil_block, max_nodes_);
   const PhaseClock::Lap lap(clock, Phase::stencils);
   if (scheme.node_data_size() > 0) {

@@ -142,7 +142,7 @@ private:
   Points<Dim>& points_;
   Range range_;
   std::array<std::array<double, law_block>, 6> D_{}; ///< components that no motion in the plane has stay zero
-  std::array<double*, most_state_columns> state_{};
+  std::array<double*, max_state_columns> state_{};
   BlockMotion<Dim, law_block> motion_;
   MaterialBatch batch_;
 };

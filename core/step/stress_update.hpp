@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-constexpr int most_state_columns = 520; ///< that a law may declare
+constexpr int max_state_columns = 520; ///< that a law may declare
 
 /// Averages the scalar that the law names, rotates stress and tensor state with the material, as the model's
 /// objective rate says, and lets the law integrate the step. Throws RunError naming the first point at which the law

@@ -113,7 +113,7 @@ class Watch {
 public:
   explicit Watch(double Closeness::*criterion) : criterion_(criterion) {}
 
-  void look(const Compression& test, const Sym<double>& D, double u_over_h, Onset& onset) {
+  void record(const Compression& test, const Sym<double>& D, double u_over_h, Onset& onset) {
     if (onset.u_over_h > 0.0) return;
     double best = -1.0, at = 0.0;
     for (double angle = first_angle; angle <= last_angle; angle += angle_step) {
@@ -148,8 +148,8 @@ HomogeneousTest homogeneous_test(const Values& parameters, double void_ratio, do
       test.void_ratio.push_back(compression.state().void_ratio);
       if (step > 0) {
         const Sym<double> D = compression.direction(compression.state());
-        linear.look(compression, D, u_over_h, test.linear);
-        nonlinear.look(compression, D, u_over_h, test.nonlinear);
+        linear.record(compression, D, u_over_h, test.linear);
+        nonlinear.record(compression, D, u_over_h, test.nonlinear);
       }
     }
     if (compression.angle() > test.peak_angle) {

@@ -29,7 +29,7 @@ struct ElementRow {
 };
 
 /// More would fill the memory, and no picture shows them.
-inline constexpr std::size_t most_element_rows = 1'000'000;
+inline constexpr std::size_t max_element_rows = 1'000'000;
 
 /// What tells whether a specimen stayed quasi-static and homogeneous.
 struct ElementEnergies {

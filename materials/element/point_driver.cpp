@@ -126,10 +126,10 @@ PointDriver::Step PointDriver::corrected(const Task& task, const Step& step, boo
 
 /// Slopes are kept from step to step as long as each correction leaves less than a fifth of the residual.
 std::optional<PointDriver::Step> PointDriver::solve_from(const Task& task, const Vector& guess) {
-  constexpr int most = 30;
+  constexpr int maximum = 30;
   constexpr double stalled = 30.0; // where the law cuts its sub-steps otherwise, its answer jumps by so little
   Step step = attempt(task, guess);
-  for (int i = 0; i < most && step.size > 1.0; ++i) {
+  for (int i = 0; i < maximum && step.size > 1.0; ++i) {
     const bool renewed = !has_slopes_;
     if (renewed) take_slopes(task, step);
     // At rest the law has a slope for each direction, and none of them need point downhill.

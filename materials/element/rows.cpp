@@ -21,8 +21,8 @@ void ElementRows::begin(std::int64_t stage, std::int64_t cycle) {
   cycle_ = cycle;
 }
 
-void ElementRows::look(const MaterialPoint& point) {
-  if (rows_.size() >= most_element_rows)
+void ElementRows::record(const MaterialPoint& point) {
+  if (rows_.size() >= max_element_rows)
     throw RunError("there are " + std::to_string(rows_.size()) +
                    " rows, the most that are kept: take a larger output.every_strain, or fewer rounds");
   last_ = row_of(point);

@@ -23,7 +23,7 @@ public:
   /// What follows belongs to this stage, in this round, both from 1.
   void begin(std::int64_t stage, std::int64_t cycle);
   /// A row, if the point lies far enough from the last one. @throws RunError when there are too many
-  void look(const MaterialPoint& point);
+  void record(const MaterialPoint& point);
   /// The last point looked at becomes a row, wherever it lies.
   void write();
 

@@ -180,7 +180,7 @@ double UmatProbe::stiffness_error() const {
   std::array<double, 36> given{};
   with_batch(law_, start(), to_matrix(strain_), 1.0,
              [&](const MaterialBatch& batch) { given = law_.stiffness(batch, 0); });
-  double worst = 0.0, greatest = 0.0;
+  double worst = 0.0, maximum = 0.0;
   for (std::size_t j = 0; j < 6; ++j) {
     Sym<double> more = strain_, less = strain_; // a unit of engineering shear is 1/√2 in Mandel's components
     const double step = 1e-3 * norm(strain_), unit = j < 3 ? 1.0 : std::numbers::sqrt2 / 2;
@@ -191,10 +191,10 @@ double UmatProbe::stiffness_error() const {
     for (std::size_t i = 0; i < 6; ++i) {
       const double measured = (i < 3 ? 1.0 : std::numbers::sqrt2 / 2) * slope.m[i];
       worst = worse(worst, std::abs(given[j * 6 + i] - measured));
-      greatest = std::max(greatest, std::abs(measured));
+      maximum = std::max(maximum, std::abs(measured));
     }
   }
-  return worst / greatest;
+  return worst / maximum;
 }
 
 std::optional<double> UmatProbe::copy_difference() const {

@@ -5,15 +5,15 @@ namespace riedel {
 /// By regula falsi with the Illinois rule on h(x) = f(x) − x, h(0) ≥ 0.
 template <class F>
 double fixed_point(const F& f, double first, double round_off) {
-  constexpr int most_steps = 100;
+  constexpr int max_steps = 100;
   double low = 0.0, h_low = first, high = first, h_high = f(high) - high;
   int step = 0;
-  for (; h_high > 0.0 && step < most_steps; ++step) {
+  for (; h_high > 0.0 && step < max_steps; ++step) {
     low = high, h_low = h_high;
     high *= 2.0;
     h_high = f(high) - high;
   }
-  for (; step < most_steps; ++step) {
+  for (; step < max_steps; ++step) {
     const double x = std::clamp((low * h_high - high * h_low) / (h_high - h_low), low, high), h = f(x) - x;
     if (std::abs(h) <= std::max(1e-14 * high, round_off)) return x;
     if (h > 0.0) {
@@ -28,8 +28,7 @@ double fixed_point(const F& f, double first, double round_off) {
 }
 
 template <class Real>
-Real ElastoplasticControl::greatest_square_of_speed(const Sym<Real>& sigma, const Real& volume_strain,
-                                                    double added) const {
+Real ElastoplasticControl::max_squared_speed(const Sym<Real>& sigma, const Real& volume_strain, double added) const {
   const Real J = exp(volume_strain);
   if (!hencky) return Real((solid.longitudinal() + added) / solid.density) * J;
   // In principal axes the shear stiffness is μ x coth x ≤ μ (1 + x²/3), x the difference of two elastic strains, and
@@ -125,9 +124,9 @@ MaterialLimits ElastoplasticLaw<Law>::assess(const MaterialBatch& batch) const {
   Pack fastest(0.0); // c²
   for (Index p = 0; p < batch.size; p += pack_size) {
     const Point<Pack> q = BatchGroup<Pack, variables>(batch, p).points();
-    fastest = max(fastest, control_.greatest_square_of_speed(q.stress, q.state[volume_strain], added));
+    fastest = max(fastest, control_.max_squared_speed(q.stress, q.state[volume_strain], added));
   }
-  return {.wave_speed = std::sqrt(greatest(fastest))};
+  return {.wave_speed = std::sqrt(maximum(fastest))};
 }
 
 } // namespace riedel

@@ -26,7 +26,7 @@ struct ElastoplasticControl {
   [[nodiscard]] Sym<double> trial(const Sym<double>& sigma, double volume_strain, const Sym<double>& strain) const;
   /// An upper bound of stiffness over density, in any direction [m²/s²]. @param added by plastic flow [Pa]
   template <class Real>
-  [[nodiscard]] Real greatest_square_of_speed(const Sym<Real>& sigma, const Real& volume_strain, double added) const;
+  [[nodiscard]] Real max_squared_speed(const Sym<Real>& sigma, const Real& volume_strain, double added) const;
   /// By how much non-associated flow can make the response stiffer than the elastic one [Pa].
   [[nodiscard]] double added_by(const FlowDirections& flow) const;
 };

@@ -13,16 +13,16 @@ template <class Real>
 struct HypoplasticParts {
   Sym<Real> s, s_dev; ///< σ̂ = σ/tr σ and its deviator σ̂*
   Real f_s, f_d;      ///< factors of pressure and density [Pa], [-]
-  Real along, across; ///< of L
-  Real radial;        ///< of N
+  Real c_I, c_ss;     ///< of L
+  Real c_N;           ///< of N
   Real e_bar;         ///< the void ratio brought to zero pressure
 };
 
 /// σ° = f_s [along D + across σ̂ (σ̂:D) + f_d radial (σ̂ + σ̂*) d]   [Pa/s]
 template <class Real>
 Sym<Real> stress_rate(const HypoplasticParts<Real>& q, const Sym<Real>& D, const std::type_identity_t<Real>& d) {
-  const Sym<Real> L = q.along * D + q.across * dot(q.s, D) * q.s;
-  const Sym<Real> N = q.radial * (q.s + q.s_dev);
+  const Sym<Real> L = q.c_I * D + q.c_ss * dot(q.s, D) * q.s;
+  const Sym<Real> N = q.c_N * (q.s + q.s_dev);
   return q.f_s * (L + q.f_d * d * N);
 }
 
@@ -34,7 +34,7 @@ Real void_ratio_rate(const Real& e, const Sym<Real>& D) {
 
 /// The greatest of σ̂:nn over all directions n, which is the greatest principal value.
 template <class Real>
-Real greatest_principal(const HypoplasticParts<Real>& q) {
+Real max_principal(const HypoplasticParts<Real>& q) {
   const Real lode = acos(-cos_3_lode(q.s_dev)) * Real(1.0 / 3.0);
   return Real(1.0 / 3.0) + Real(std::sqrt(2.0 / 3.0)) * norm(q.s_dev) * cos(lode);
 }
@@ -42,8 +42,8 @@ Real greatest_principal(const HypoplasticParts<Real>& q) {
 /// An upper bound of the stiffness in any direction, loading or unloading: unloading along n adds |N:nn| to L. [Pa]
 template <class Real>
 Real basic_stiffness(const HypoplasticParts<Real>& q) {
-  const Real s_nn = greatest_principal(q);
-  return q.f_s * (q.along + q.across * s_nn * s_nn + q.f_d * q.radial * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
+  const Real s_nn = max_principal(q);
+  return q.f_s * (q.c_I + q.c_ss * s_nn * s_nn + q.f_d * q.c_N * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
 }
 
 /// Greatest wave speed of a batch whose state begins with the void ratio and ends, behind `States` columns, with the
@@ -68,7 +68,7 @@ template <std::size_t States, class Law, class Stiffness>
     const auto outside = lanes(touching && (parts.e_bar < Pack(sand.e_d0) || parts.e_bar > Pack(sand.e_i0)));
     answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
   }
-  answer.wave_speed = std::sqrt(greatest(fastest) / sand.grain_density);
+  answer.wave_speed = std::sqrt(maximum(fastest) / sand.grain_density);
   return answer;
 }
 

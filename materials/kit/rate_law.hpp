@@ -111,7 +111,7 @@ private:
   void leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain, MaterialReport& report) const;
 
   [[nodiscard]] const Law& law() const { return static_cast<const Law&>(*this); }
-  [[nodiscard]] double least_trace() const { return 3.0 * (control_.minimum_pressure - control_.cohesion_pressure); }
+  [[nodiscard]] double min_trace() const { return 3.0 * (control_.minimum_pressure - control_.cohesion_pressure); }
   IntegrationControl control_;
 };
 

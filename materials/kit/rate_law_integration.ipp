@@ -25,17 +25,17 @@ template <class Law, std::size_t States>
 template <class Real>
 Real RateLaw<Law, States>::error(const Point<Real>& start, const PairStep<Real, States>& step) const {
   const auto& [end, embedded] = step;
-  Real most = norm(end.stress - embedded.stress) / max(norm(seen(end.stress)), Real(1e-6));
+  Real maximum = norm(end.stress - embedded.stress) / max(norm(seen(end.stress)), Real(1e-6));
   if constexpr (MeasuresState<Law, States>) {
-    most = max(most, law().state_change(embedded.state, end.state));
+    maximum = max(maximum, law().state_change(embedded.state, end.state));
   } else {
     for (std::size_t s = 0; s < States; ++s) {
       const Real size = max(max(abs(start.state[s]), abs(end.state[s])), Real(1e-300));
-      most = max(most, abs(end.state[s] - embedded.state[s]) / size);
+      maximum = max(maximum, abs(end.state[s] - embedded.state[s]) / size);
     }
   }
-  for (std::size_t s = 0; s < States; ++s) most += Real(0.0) * end.state[s];
-  return most;
+  for (std::size_t s = 0; s < States; ++s) maximum += Real(0.0) * end.state[s];
+  return maximum;
 }
 
 /// One evaluation or two, lane by lane; points near zero pressure are left to those integrated alone.
@@ -48,8 +48,9 @@ template <class Real>
   trial.end = moved(start, first, over.time);
   trial.good = changes_little(start, trial.end);
   trial.twice = !trial.good;
-  const Real least(least_trace());
-  if constexpr (Law::frictional) trial.twice = trial.twice && -trace(start.stress) >= least && separation <= Real(0.0);
+  const Real minimum(min_trace());
+  if constexpr (Law::frictional)
+    trial.twice = trial.twice && -trace(start.stress) >= minimum && separation <= Real(0.0);
   if (any_lane(trial.twice)) {
     const auto step = heun(start, first, over.time, [&](const Point<Real>& at) { return rate(at, over); });
     trial.end = select(trial.good, trial.end, step.end);
@@ -57,7 +58,7 @@ template <class Real>
   }
   if constexpr (Law::frictional)
     trial.good =
-        trial.good && -trace(start.stress) >= least && separation <= Real(0.0) && -trace(trial.end.stress) >= least;
+        trial.good && -trace(start.stress) >= minimum && separation <= Real(0.0) && -trace(trial.end.stress) >= minimum;
   return trial;
 }
 

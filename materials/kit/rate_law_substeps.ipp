@@ -32,7 +32,7 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
     if constexpr (Law::frictional) {
       if (lone.separation > 0.0) left = move_stress_free(lone, over, left, report), first.reset();
       if (left <= 0.0) break;
-      if (-trace(lone.point.stress) < least_trace()) lone.point.stress = contact_stress(), first.reset();
+      if (-trace(lone.point.stress) < min_trace()) lone.point.stress = contact_stress(), first.reset();
     }
     if (!first) first = rate_at(lone.point);
     const double dt = std::min(share * over.time, left);
@@ -49,7 +49,7 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
     lone.point = step.end;
     first = step.last;
     if constexpr (Law::frictional)
-      if (-trace(lone.point.stress) < least_trace())
+      if (-trace(lone.point.stress) < min_trace())
         leave_low_pressure(lone, before, trace(over.D) * dt, report), first.reset();
     left -= dt;
     share *= std::clamp(0.9 / std::cbrt(missed), 0.5, 4.0); // infinite of 0

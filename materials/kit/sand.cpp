@@ -33,7 +33,7 @@ Sand::Sand(const Values& given, std::string_view law)
       alpha(given.number("alpha")),
       beta(given.number("beta")),
       grain_density(given.number("grain_density")),
-      greatest_f_d(std::pow((e_i0 - e_d0) / (e_c0 - e_d0), alpha)),
+      max_f_d(std::pow((e_i0 - e_d0) / (e_c0 - e_d0), alpha)),
       per_h_s(1.0 / h_s),
       per_e_i0(1.0 / e_i0),
       per_e_range(1.0 / (e_c0 - e_d0)) {

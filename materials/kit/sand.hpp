@@ -24,7 +24,7 @@ struct Sand {
   double e_i0, e_d0, e_c0;  ///< greatest, least and critical void ratio at zero pressure
   double alpha, beta;       ///< exponents of density and of stiffness
   double grain_density;     ///< ρ_s [kg/m³]
-  double greatest_f_d;      ///< f_d where e = e_i, at any pressure
+  double max_f_d;           ///< f_d where e = e_i, at any pressure
   double per_h_s, per_e_i0; ///< 1/h_s, 1/e_i0
   double per_e_range;       ///< 1/(e_c0 − e_d0)
 

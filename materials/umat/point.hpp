@@ -11,7 +11,7 @@ namespace riedel {
 struct UmatPoint {
   UmatCall call;
   std::size_t states; ///< NSTATV
-  std::array<double, UmatStates::most> state;
+  std::array<double, UmatStates::maximum> state;
 
   explicit UmatPoint(std::size_t count) : states(count) {}
   UmatPoint(const UmatPoint& other) : call(other.call), states(other.states) { copy_state(other); }

@@ -18,9 +18,9 @@ UmatStates::UmatStates(const std::string& names, const std::vector<double>& star
   if (start.size() != factors_.size() && !start.empty())
     throw InputError("umat: state has " + std::to_string(start.size()) + " numbers, state_names stand for " +
                      std::to_string(factors_.size()));
-  if (factors_.size() > most)
+  if (factors_.size() > maximum)
     throw InputError("umat: " + std::to_string(factors_.size()) +
-                     " state variables are too many; allowed: " + std::to_string(most));
+                     " state variables are too many; allowed: " + std::to_string(maximum));
   start_ = start;
   start_.resize(factors_.size(), 0.0);
   for (std::size_t s = 0; s < start_.size(); ++s) start_[s] /= factors_[s];

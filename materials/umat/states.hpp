@@ -7,7 +7,7 @@ namespace riedel {
 
 class UmatStates {
 public:
-  static constexpr std::size_t most = 512; ///< numbers in STATEV
+  static constexpr std::size_t maximum = 512; ///< numbers in STATEV
 
   /// @param names "void_ratio, h:strain, back:stress": one number each, or six; what they leave goes by its number
   /// @param start STATEV at the start, in the UMAT's units; empty: zeros   @param stress_unit of the UMAT [Pa]

@@ -21,10 +21,10 @@ BoundingBox<Dim> bounding_box(const Columns& positions, const Columns* since, st
     for (int a = 0; a < Dim; ++a) {
       const double *x = positions[a], *x_0 = since ? (*since)[a] : nullptr;
       Pack lower(infinity), upper(-infinity), wrong(0.0);
-      const auto add = [&](const Pack& way) {
-        lower = min(lower, way);
-        upper = max(upper, way);
-        wrong += way * Pack(0.0); // not a number when `way` is none
+      const auto add = [&](const Pack& offset) {
+        lower = min(lower, offset);
+        upper = max(upper, offset);
+        wrong += offset * Pack(0.0); // not a number when `offset` is none
       };
       Index p = block.begin;
       for (; p + pack_size <= block.end; p += pack_size)

@@ -88,8 +88,8 @@ std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
   for (std::size_t k = 0; k < list_.size(); k += pack_size) {
     Pack squared(0.0);
     for (int a = 0; a < Dim; ++a) {
-      const Pack way = Pack(positions_[a][p]) - Pack::load(near_[a].data() + k);
-      squared += way * way;
+      const Pack offset = Pack(positions_[a][p]) - Pack::load(near_[a].data() + k);
+      squared += offset * offset;
     }
     auto inside = lanes(squared <= Pack(limit));
     if (!all(abs(squared - Pack(limit)) > near_limit))

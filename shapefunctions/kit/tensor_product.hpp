@@ -55,8 +55,8 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
     base += row * Pack(strides[a]);
     axis.first = lowest;
     // Compilers may round `place` twice; the bounds hold all the same.
-    const Pack least = axis.l * axis.per_h;
-    factor[a] = function(max(least, min(place - lowest, least + Pack(1.0 - 0x1p-53))), axis);
+    const Pack minimum = axis.l * axis.per_h;
+    factor[a] = function(max(minimum, min(place - lowest, minimum + Pack(1.0 - 0x1p-53))), axis);
   }
   fill_products<Nodes>(factor, group);
   set_nodes<Nodes, Dim>(strides, whole_numbers(base), group);

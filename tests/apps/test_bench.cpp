@@ -71,8 +71,8 @@ TEST(BenchBlock, HasNearlyAsManyPointsAsWishedFor) {
 TEST(BenchSpread, TellsMedianLeastAndMost) {
   const Spread odd = spread_of({3, 1, 10}), even = spread_of({4, 1, 2, 3});
   EXPECT_EQ(odd.median, 3);
-  EXPECT_EQ(odd.least, 1);
-  EXPECT_EQ(odd.most, 10);
+  EXPECT_EQ(odd.minimum, 1);
+  EXPECT_EQ(odd.maximum, 10);
   EXPECT_EQ(even.median, 2.5);
 }
 
@@ -82,8 +82,8 @@ TEST(BenchMeasure, AddsUpPhasesAndCountsMemory) {
   ASSERT_TRUE(result);
   EXPECT_EQ(result->points, 400);
   EXPECT_GT(result->steps, 0);
-  EXPECT_LE(result->ns.least, result->ns.median);
-  EXPECT_LE(result->ns.median, result->ns.most);
+  EXPECT_LE(result->ns.minimum, result->ns.median);
+  EXPECT_LE(result->ns.median, result->ns.maximum);
   EXPECT_GT(result->phases[static_cast<std::size_t>(Phase::law)], 0.0);
   EXPECT_GT(result->phases[static_cast<std::size_t>(Phase::averaging)], 0.0);
   // 27 columns of points at least, and a weight for each of about 60 neighbours.

@@ -11,12 +11,12 @@ namespace {
 
 /// Greatest difference of two columns, relative to the greatest value.
 double difference(const Columns& a, const Columns& b, int component) {
-  double most = 0.0, scale = 1e-300;
+  double maximum = 0.0, scale = 1e-300;
   for (Index p = 0; p < a.size(); ++p) {
-    most = std::max(most, std::abs(a[component][p] - b[component][p]));
+    maximum = std::max(maximum, std::abs(a[component][p] - b[component][p]));
     scale = std::max(scale, std::abs(a[component][p]));
   }
-  return most / scale;
+  return maximum / scale;
 }
 
 /// Runs the library's USL step and the kernel side by side, and compares all that the kernel knows.

@@ -100,7 +100,7 @@ TEST(CommandLine, TellsWhichNameOfAListIsUnknown) {
 TEST(CommandLine, TakesAPositiveNumberOfThreads) {
   const auto threads = [](const std::vector<std::string>& words) {
     const ThreadRange range = parsed(words).threads();
-    return std::pair(range.least, range.most);
+    return std::pair(range.minimum, range.maximum);
   };
   EXPECT_EQ(threads({"--threads", "3"}), std::pair(3, 3));
   EXPECT_EQ(threads({"--threads", "1-4"}), std::pair(1, 4));

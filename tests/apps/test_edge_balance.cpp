@@ -19,12 +19,12 @@ double imbalance(const std::string& scheme_name, int per_cell) {
 /// Hats do, however they are averaged.
 TEST(ImbalanceAtStart, VanishesUnderTheSchemesThatSaySoAndNoOthers) {
   for (const std::string& name : scheme_names()) {
-    double greatest = 0.0;
-    for (const int per_cell : {1, 2, 3}) greatest = std::max(greatest, imbalance(name, per_cell));
+    double maximum = 0.0;
+    for (const int per_cell : {1, 2, 3}) maximum = std::max(maximum, imbalance(name, per_cell));
     if (traits(name).balances_pressure_on_points) {
-      EXPECT_LT(greatest, 1e-12) << name;
+      EXPECT_LT(maximum, 1e-12) << name;
     } else {
-      EXPECT_GT(greatest, 0.01) << name << " balances it, and does not say so";
+      EXPECT_GT(maximum, 0.01) << name << " balances it, and does not say so";
     }
   }
 }

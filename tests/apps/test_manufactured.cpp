@@ -66,15 +66,15 @@ std::vector<std::pair<Vec<Dim>, double>> somewhere(const Manufactured<Dim>& solu
 template <int Dim>
 void expect_its_velocity_and_body_force(const Manufactured<Dim>& solution) {
   constexpr double density = 1000.0;
-  double greatest = 0.0, fastest = 0.0;
+  double maximum = 0.0, fastest = 0.0;
   for (const auto& [X, t] : somewhere(solution)) {
-    greatest = std::max(greatest, solution.body_force(X, t).norm());
+    maximum = std::max(maximum, solution.body_force(X, t).norm());
     fastest = std::max(fastest, solution.velocity_at_start(X).norm());
   }
   const double dt = 1e-4 * solution.duration;
   for (const auto& [X, t] : somewhere(solution)) {
     EXPECT_LT((solution.body_force(X, t) - body_force_by_differences<Dim>(solution, X, t, density)).norm(),
-              2e-4 * greatest)
+              2e-4 * maximum)
         << X.transpose() << " at " << t;
     const Vec<Dim> v = (solution.displacement(X, dt) - solution.displacement(X, -dt)) / (2.0 * dt);
     EXPECT_LT((solution.velocity_at_start(X) - v).norm(), 1e-6 * fastest) << X.transpose();
@@ -100,14 +100,14 @@ TEST(Manufactured, StartsFromTheGradientOfItsDisplacement) {
 
 TEST(Manufactured, LeavesItsCurvedFacesFreeOfTraction) {
   const auto traction = [](const Manufactured<2>& solution, const Vec<2>& middle, double R) {
-    double greatest = 0.0;
+    double maximum = 0.0;
     for (const double angle : {0.1, 0.7, 1.4})
       for (const double share : {0.1, 0.4, 0.8}) {
         const Vec<2> N(std::cos(angle), std::sin(angle));
         const Vec<2> force = first_stress<2>(solution, middle + R * N, share * solution.duration) * N;
-        greatest = std::max(greatest, force.norm());
+        maximum = std::max(maximum, force.norm());
       }
-    return greatest / std::get<double>(solution.block.parameters.at("youngs_modulus"));
+    return maximum / std::get<double>(solution.block.parameters.at("youngs_modulus"));
   };
   for (const double R : {0.4, 0.6}) EXPECT_LT(traction(ring(8), {0.0, 0.0}, R), 1e-8);
   for (const double R : {0.75, 1.25}) EXPECT_LT(traction(vortex(8), {1.25, 1.25}, R), 1e-8);

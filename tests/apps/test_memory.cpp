@@ -91,9 +91,9 @@ TEST_F(Memory, IsAsMuchAsIsEstimated) {
     ASSERT_NE(line, std::string::npos) << told.out;
     ASSERT_EQ(std::sscanf(told.out.c_str() + line, "# memory: about %lf MB\n", &estimate), 1) << told.out;
     run.insert(run.begin(), {"biaxial", "--threads", "1", "--force", "--out", (folder_ / "run").string()});
-    const double most = 1e-6 * measured(run);
-    EXPECT_GT(estimate, 0.6 * most) << settings.front();
-    EXPECT_LT(estimate, 1.6 * most) << settings.front();
+    const double maximum = 1e-6 * measured(run);
+    EXPECT_GT(estimate, 0.6 * maximum) << settings.front();
+    EXPECT_LT(estimate, 1.6 * maximum) << settings.front();
   }
 }
 

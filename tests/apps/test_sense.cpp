@@ -146,13 +146,13 @@ TEST(RandomField, OnALatticeIsTheFieldAtItsPlaces) {
 }
 
 /// Smallest void ratio over all points, found one by one.
-double least_void_ratio(const BiaxialCase& v) {
+double min_void_ratio(const BiaxialCase& v) {
   const VoidRatioField field = random_field(v);
   const double nx = static_cast<double>(v.grid.cells[0]), ny = static_cast<double>(v.grid.cells[1]);
-  double least = 1.0;
+  double minimum = 1.0;
   for (double i = 0.5; i < nx; ++i)
-    for (double j = 0.5; j < ny; ++j) least = std::min(least, 0.55 + field({i * 0.04 / nx, j * 0.14 / ny}));
-  return least;
+    for (double j = 0.5; j < ny; ++j) minimum = std::min(minimum, 0.55 + field({i * 0.04 / nx, j * 0.14 / ny}));
+  return minimum;
 }
 
 /// The deviation at which a point just leaves the limits is the same by looking at every point and by looking at few.
@@ -166,7 +166,7 @@ TEST(RandomField, IsRefusedFromTheDeviationOnAtWhichItsFirstPointLeavesTheLimits
       return all;
     };
     const double e_d = 0.51 * std::exp(-std::pow(3.0 * 50e3 / 190e6, 0.5)), trial = 1e-3;
-    const double critical = trial * (0.55 - e_d) / (0.55 - least_void_ratio(biaxial_values(and_deviation(trial))));
+    const double critical = trial * (0.55 - e_d) / (0.55 - min_void_ratio(biaxial_values(and_deviation(trial))));
     EXPECT_EQ(refusal(and_deviation(critical * (1 - 1e-6))), "no error") << length;
     EXPECT_THAT(refusal(and_deviation(critical * (1 + 1e-6))), HasSubstr("the random field gives the point at ("));
   }

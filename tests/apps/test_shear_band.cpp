@@ -138,11 +138,11 @@ TEST(ShearBand, IsNotAShortOne) {
     expect_none(Specimen(mesh.columns, mesh.rows)
                     .band(56.0, 0.0, 0.07, 0.27, gaussian(7.5e-3))
                     .wipe([](double x, double) { return x > 0.010; })
-                    .measure({.least_ratio = 0.0}));
+                    .measure({.min_ratio = 0.0}));
 }
 
 TEST(ShearBand, IsNotWhereNothingDilates) {
-  expect_none(Specimen(24, 84).band(56.0, 0.02, 0.07, 0.005, gaussian(7.5e-3)).measure({.least_ratio = 0.0}));
+  expect_none(Specimen(24, 84).band(56.0, 0.02, 0.07, 0.005, gaussian(7.5e-3)).measure({.min_ratio = 0.0}));
 }
 
 TEST(ShearBand, IsNotAHeapOfPointsInOnePlace) {
@@ -150,7 +150,7 @@ TEST(ShearBand, IsNotAHeapOfPointsInOnePlace) {
   std::vector<double> e(50, 0.55), rotation(50, 0.0);
   std::fill_n(e.begin(), 20, 0.8);
   std::fill_n(rotation.begin(), 20, 0.1);
-  expect_none(measure_shear_band({place, place, one, e, e0, rotation, one}, {.least_ratio = 0.0}));
+  expect_none(measure_shear_band({place, place, one, e, e0, rotation, one}, {.min_ratio = 0.0}));
 }
 
 TEST(ShearBand, HasAWidthByItsRateThatNeedNotBeThatOfItsDilation) {

@@ -21,8 +21,8 @@ protected:
   /// Gradients that are averages over neighbouring cells smooth what coarse cells can show.
   const bool smooths_ = !scheme<2>(GetParam())->gradients_follow_weights();
 
-  static VerifyStudy refined(std::string_view name, Index most_cells) {
-    VerifyStudy answer = study(problem(name), catalogue(), GetParam(), {.most_cells = most_cells});
+  static VerifyStudy refined(std::string_view name, Index max_cells) {
+    VerifyStudy answer = study(problem(name), catalogue(), GetParam(), {.max_cells = max_cells});
     if (!answer.failure.empty()) throw std::runtime_error(answer.failure);
     return answer;
   }
@@ -30,7 +30,7 @@ protected:
 
 TEST_P(VerifyTest, VibratesABarWithItsFrequencyAndWithoutLoss) {
   const VerifyStudy bar = refined("bar", 32);
-  EXPECT_GT(bar.order(), bar.expected().least_order);
+  EXPECT_GT(bar.order(), bar.expected().min_order);
   EXPECT_LT(bar.runs.back().error, 0.01);
   for (const double off : bar.runs.back().figures) EXPECT_LT(std::abs(off), 2e-3); // frequency, amplitude, energy
 }
@@ -47,7 +47,7 @@ TEST_P(VerifyTest, HasAUniformStressUnderATractionIfItsDomainsFillTheBar) {
 
 TEST_P(VerifyTest, ConvergesInASquareWhosePointsStayInTheirCells) {
   const VerifyStudy square = refined("square", 16);
-  EXPECT_GT(square.order(), square.expected().least_order);
+  EXPECT_GT(square.order(), square.expected().min_order);
   EXPECT_LT(square.runs.back().error, 0.08);
 }
 
@@ -56,7 +56,7 @@ TEST_P(VerifyTest, ConvergesInASquareWhosePointsCrossCellsIfItsAuthorsSaySo) {
   if (promised_.order_across_cells == 0) {
     EXPECT_GT(square.runs.back().error, square.runs.front().error) << "the error of crossing cells";
   } else { // sums over two points in place of integrals take from a second order
-    EXPECT_GT(square.order(), std::min(1.1, square.expected().least_order));
+    EXPECT_GT(square.order(), std::min(1.1, square.expected().min_order));
     EXPECT_LT(square.runs.back().error, 0.04);
   }
 }
@@ -112,7 +112,7 @@ TEST(OrderAcrossCells, IsTheSecondWherePromisedWithFourPointsForACell) {
 /// Shear draws two points for a cell more than a cell apart: hats do not see that they are neighbours any more.
 TEST(Gimp, FallsApartInAVortexWithTwoPointsForACell) {
   omp_set_num_threads(1);
-  EXPECT_NE(study(problem("vortex"), catalogue(), "gimp", {.most_cells = 8, .points = 2}).failure, "");
+  EXPECT_NE(study(problem("vortex"), catalogue(), "gimp", {.max_cells = 8, .points = 2}).failure, "");
 }
 
 VerifyStudy study_with(Expectation (*expected)(const SchemeTraits&), const std::vector<double>& errors) {
@@ -124,8 +124,8 @@ VerifyStudy study_with(Expectation (*expected)(const SchemeTraits&), const std::
 }
 
 TEST(VerifyStudy, TellsWhatItLacks) {
-  const auto second_order = [](const SchemeTraits&) -> Expectation { return {.text = "2", .least_order = 1.5}; };
-  const auto small = [](const SchemeTraits&) -> Expectation { return {.text = "small", .most_error = 0.1}; };
+  const auto second_order = [](const SchemeTraits&) -> Expectation { return {.text = "2", .min_order = 1.5}; };
+  const auto small = [](const SchemeTraits&) -> Expectation { return {.text = "small", .max_error = 0.1}; };
   const auto nothing = [](const SchemeTraits&) -> Expectation { return {}; };
   EXPECT_EQ(study_with(second_order, {0.16, 0.04, 0.01}).missed(), "");
   EXPECT_EQ(study_with(second_order, {0.16, 0.08, 0.04}).missed(), "order 1, expected 2");

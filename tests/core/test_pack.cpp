@@ -147,7 +147,7 @@ TEST(Pack, CombinesTruthValuesAndFindsTheGreatestLane) {
   }
   EXPECT_TRUE(any_lane(large));
   EXPECT_FALSE(any_lane(Pack::load(a.data()) > Pack(8.0)));
-  EXPECT_EQ(greatest(Pack::load(b.data())), 10.0);
+  EXPECT_EQ(maximum(Pack::load(b.data())), 10.0);
 }
 
 /// P/h_s from 1 Pa to 10 MPa with the exponents of the laws, and powers of (e − e_d)/(e_c − e_d).

@@ -103,11 +103,11 @@ TEST(Run, LetsThroughWhatAStepThrows) {
 TEST(KineticShare, LeavesOutTheFirstHalfPerCent) {
   KineticShare share;
   share.record(0.004, {.kinetic = 5.0, .internal = 1.0});
-  EXPECT_TRUE(std::isnan(share.greatest()));
+  EXPECT_TRUE(std::isnan(share.maximum()));
   share.record(0.005, {.kinetic = 0.2, .internal = -1.0});
   share.record(0.006, {.kinetic = 0.1, .internal = 1.0});
   share.record(0.007, {.kinetic = 9.0, .internal = 0.0});
-  EXPECT_EQ(share.greatest(), 0.2);
+  EXPECT_EQ(share.maximum(), 0.2);
 }
 
 TEST(TimeStepWatch, WarnsOnceOfAStepThatIsOverTheStableOne) {
@@ -116,14 +116,14 @@ TEST(TimeStepWatch, WarnsOnceOfAStepThatIsOverTheStableOne) {
   TimeStepWatch watch;
   testing::internal::CaptureStderr();
   watch.record(stable);
-  EXPECT_NEAR(watch.greatest(), 0.5, 1e-12);
+  EXPECT_NEAR(watch.maximum(), 0.5, 1e-12);
   EXPECT_EQ(watch.doubt(), "");
   watch.record(unstable);
   watch.record(unstable);
   const std::string warned = testing::internal::GetCapturedStderr();
   EXPECT_THAT(warned, HasSubstr("over the stable limit"));
   EXPECT_EQ(warned.find("over the stable limit"), warned.rfind("over the stable limit"));
-  EXPECT_NEAR(watch.greatest(), 2.0, 1e-12);
+  EXPECT_NEAR(watch.maximum(), 2.0, 1e-12);
   EXPECT_THAT(watch.doubt(), HasSubstr("2 times the stable one"));
 }
 

@@ -38,13 +38,13 @@ protected:
 };
 
 TEST_F(ChoiceOfThreads, TakesAllOnAQuietMachineAndLosesLittleByLooking) {
-  for (const int most : {2, 3, 8}) {
+  for (const int maximum : {2, 3, 8}) {
     Machine machine{.step_seconds = quiet};
-    ThreadChoice choice({1, most}, machine.clock());
+    ThreadChoice choice({1, maximum}, machine.clock());
     const std::int64_t steps = machine.run(choice, 5.0);
-    EXPECT_EQ(choice.threads(), most);
-    EXPECT_EQ(choice.most_used(), most);
-    EXPECT_GT(static_cast<double>(steps), 0.97 * 5.0 * most / one_thread) << most;
+    EXPECT_EQ(choice.threads(), maximum);
+    EXPECT_EQ(choice.max_used(), maximum);
+    EXPECT_GT(static_cast<double>(steps), 0.97 * 5.0 * maximum / one_thread) << maximum;
   }
 }
 
@@ -94,7 +94,7 @@ TEST_F(ChoiceOfThreads, DoesNotGiveWayToShortDisturbances) {
   }};
   ThreadChoice choice({1, 2}, machine.clock());
   const std::int64_t steps = machine.run(choice, 20.0);
-  EXPECT_EQ(choice.most_used(), 2);
+  EXPECT_EQ(choice.max_used(), 2);
   EXPECT_GT(static_cast<double>(steps), 0.90 * 20.0 * 2.0 / one_thread); // 5 % go to the disturbances themselves
 }
 
@@ -103,7 +103,7 @@ TEST_F(ChoiceOfThreads, CanBeBoundToANumber) {
   ThreadChoice choice({3, 3}, machine.clock());
   (void)machine.run(choice, 0.5);
   EXPECT_EQ(omp_get_max_threads(), 3);
-  EXPECT_EQ(choice.most_used(), 3);
+  EXPECT_EQ(choice.max_used(), 3);
 }
 
 /// A step of a huge case takes seconds; the look must be over after few of them.

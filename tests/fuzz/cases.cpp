@@ -62,7 +62,7 @@ void quantity(std::string_view input) {
 void umat_states(std::string_view input) {
   may_refuse([&] {
     const UmatStates states(std::string(input), {}, 1e3);
-    require(states.size() <= UmatStates::most, "more states than a UMAT can have");
+    require(states.size() <= UmatStates::maximum, "more states than a UMAT can have");
     require(states.start().size() == states.size() + 6, "a start of another length");
   });
 }

@@ -149,19 +149,19 @@ Differences follow_cycles(double tolerance, double step) {
   const Table curve = reference("von_wolffersdorff_intergranular_strain_cycles.csv");
   LawBench bench(sand(tolerance), 1);
   bench.put(0, tensor_in(curve, "s", "_Pa", 0), curve.at("e")[0], Sym<double>::zero());
-  Differences greatest;
+  Differences maximum;
   for (std::size_t row = 1; row < curve.at("e").size(); ++row) {
     const double strain = curve.at("strain")[row] - curve.at("strain")[row - 1];
     const int parts = 1 + static_cast<int>(strain / step);
     bench.put(0, bench.stress_of(0), bench.state[0][0], tensor_in(curve, "D", "", row));
     for (int i = 0; i < parts; ++i) bench.integrate(strain / parts);
     const Sym<double> sigma = tensor_in(curve, "s", "_Pa", row), h = tensor_in(curve, "h", "", row);
-    greatest.stress = std::max(greatest.stress, norm(bench.stress_of(0) - sigma) / norm(sigma));
-    greatest.strain = std::max(greatest.strain, norm(bench.tensor_of("intergranular_strain", 0) - h) / R);
+    maximum.stress = std::max(maximum.stress, norm(bench.stress_of(0) - sigma) / norm(sigma));
+    maximum.strain = std::max(maximum.strain, norm(bench.tensor_of("intergranular_strain", 0) - h) / R);
   }
   std::printf("cycles, tolerance %.0e, steps of %.0e: stress within %.1e, h/R within %.1e; %.0f steps were cut\n",
-              tolerance, step, greatest.stress, greatest.strain, double(bench.report.substepped));
-  return greatest;
+              tolerance, step, maximum.stress, maximum.strain, double(bench.report.substepped));
+  return maximum;
 }
 
 TEST(IntergranularStrain, FollowsAnIndependentIntegrationOfCycles) {

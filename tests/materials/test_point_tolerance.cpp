@@ -115,16 +115,16 @@ TEST(PointDriver, LeadsAConditionAlongASine) {
   leg.conditions[0].phase = 0.5;
   leg.duration = 2.0;
   PointDriver driver(*law, {.stress = -10e3 * Sym<double>::identity()});
-  double least = 1e9;
+  double minimum = 1e9;
   ASSERT_TRUE(driver.follow(leg, [&](const MaterialPoint& q) {
     const double share = q.time / 2.0;
     const double wave = std::sin(2 * std::numbers::pi * share + 0.5) - std::sin(0.5);
     EXPECT_NEAR(q.stress.m[0], -10e3 - 10e3 * share - 5e3 * wave, 1e-4);
-    least = std::min(least, -q.stress.m[0]);
+    minimum = std::min(minimum, -q.stress.m[0]);
     return true;
   }));
   EXPECT_NEAR(driver.point().stress.m[0], -20e3, 1e-4);
-  EXPECT_LT(least, 9.5e3) << "it goes back on its way";
+  EXPECT_LT(minimum, 9.5e3) << "it goes back on its way";
 }
 
 /// A stretch and a turn at once: the stress of an elastic point is that of the stretch, turned.

@@ -209,11 +209,11 @@ TEST(UmatWithoutCopies, IsUsedByOneThreadAfterTheOther) {
     UmatLibrary umat(library("umat_0"), "umat_", false);
     const Environment temporary("TMPDIR", place);
     testing::internal::CaptureStderr();
-    std::atomic<int> inside = 0, most = 0;
+    std::atomic<int> inside = 0, maximum = 0;
     const auto work = [&] {
       for (int i = 0; i < 200; ++i) {
         const auto lease = umat.lease();
-        most = std::max<int>(most, ++inside);
+        maximum = std::max<int>(maximum, ++inside);
         std::this_thread::yield();
         --inside;
       }
@@ -229,7 +229,7 @@ TEST(UmatWithoutCopies, IsUsedByOneThreadAfterTheOther) {
     second.join();
     const std::string warning = testing::internal::GetCapturedStderr();
     if (std::string(place) != "/proc") continue; // a folder of another name serves
-    EXPECT_EQ(most, 1);
+    EXPECT_EQ(maximum, 1);
     EXPECT_THAT(warning, AllOf(HasSubstr("threads wait for each other"), HasSubstr("/proc takes no copy")));
     EXPECT_EQ(warning.find("warning: UMAT"), warning.rfind("warning: UMAT"));
   }

@@ -46,9 +46,9 @@ std::vector<Weight<Dim>> weights(const std::string& name, const Vec<Dim>& x, dou
 
 template <int Dim>
 double difference(const std::vector<Weight<Dim>>& A, const std::vector<Weight<Dim>>& B) {
-  double most = 0.0;
-  for (std::size_t i = 0; i < A.size(); ++i) most = std::max(most, (A[i] - B[i]).cwiseAbs().maxCoeff());
-  return most;
+  double maximum = 0.0;
+  for (std::size_t i = 0; i < A.size(); ++i) maximum = std::max(maximum, (A[i] - B[i]).cwiseAbs().maxCoeff());
+  return maximum;
 }
 
 } // namespace riedel::test

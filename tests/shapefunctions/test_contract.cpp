@@ -63,27 +63,27 @@ struct Cloud {
 
 /// Least eigenvalue of Σ_i N_ip (x_i − x_p) ⊗ (x_i − x_p), lengths in cells, over points on nodes and anywhere.
 template <int Dim>
-double least_second_moment(const std::string& name) {
+double min_second_moment(const std::string& name) {
   const Cloud<Dim> cloud(name, 0.25, 0.3);
-  double least = 1e300;
+  double minimum = 1e300;
   for (Index p = 0; p < cloud.points.size(); ++p) {
     const Mat<Dim> D = cloud.template sum<Mat<Dim>>(
         p, Mat<Dim>::Zero(), [&](double N, const Vec<Dim>&, const Vec<Dim>& x) -> Mat<Dim> {
           const Vec<Dim> r = (x - cloud.points.position_of(p)).cwiseQuotient(cloud.grid.cell);
           return N * r * r.transpose();
         });
-    least = std::min(least, Eigen::SelfAdjointEigenSolver<Mat<Dim>>(D).eigenvalues()[0]);
+    minimum = std::min(minimum, Eigen::SelfAdjointEigenSolver<Mat<Dim>>(D).eigenvalues()[0]);
   }
-  return least;
+  return minimum;
 }
 
 /// What APIC divides by.
 template <int Dim>
 void a_scheme_that_spreads_points_has_second_moments(const std::string& name) {
   if (scheme<Dim>(name)->supports_affine()) {
-    EXPECT_GT(least_second_moment<Dim>(name), 0.02);
+    EXPECT_GT(min_second_moment<Dim>(name), 0.02);
   } else {
-    EXPECT_LT(least_second_moment<Dim>(name), 1e-9);
+    EXPECT_LT(min_second_moment<Dim>(name), 1e-9);
   }
 }
 

@@ -167,7 +167,7 @@ TEST(Cpdi2, KeepsNeighboursJoinedWhereCpdiLeavesGaps) {
   EXPECT_GT(gap("cpdi"), 0.01);
 }
 
-double greatest_reach(const std::string& name, double limit) {
+double max_reach(const std::string& name, double limit) {
   const Mat<2> F = Vec<2>(3.0, 0.5).asDiagonal();
   Points<2> points;
   points.resize(1, 0);
@@ -196,9 +196,9 @@ double greatest_reach(const std::string& name, double limit) {
 
 TEST(DomainLimit, ShortensWhatIsTooLongAndNothingElse) {
   for (const std::string name : {"cpdi", "cpdi2"}) {
-    EXPECT_EQ(greatest_reach(name, 0.0), 2.0) << name; // corners 1.5 away
-    EXPECT_EQ(greatest_reach(name, 1.6), 2.0) << name;
-    EXPECT_EQ(greatest_reach(name, 0.9), 1.0) << name;
+    EXPECT_EQ(max_reach(name, 0.0), 2.0) << name; // corners 1.5 away
+    EXPECT_EQ(max_reach(name, 1.6), 2.0) << name;
+    EXPECT_EQ(max_reach(name, 0.9), 1.0) << name;
   }
   const Mat<2> F = some_deformation<2>();
   EXPECT_LT(difference<2>(weights<2>("cpdi", {1.3, 2.6}, 0.4, F, four_cells<2>(), {{"domain_limit", 2.0}}),

@@ -48,15 +48,15 @@ struct Block {
 template <int Dim>
 double jump_across_faces(const Block<Dim>& block) {
   const double step = 1e-9;
-  double most = 0.0;
+  double maximum = 0.0;
   for (int a = 0; a < Dim; ++a)
     for (const double face : {1.0, 2.0, 3.0}) {
       Vec<Dim> x = Vec<3>(0.3, 1.7, 2.6).head<Dim>();
       x[a] = face;
       const Vec<Dim> d = step * Vec<Dim>::Unit(a);
-      most = std::max(most, difference<Dim>(block.weights_at(x - d), block.weights_at(x + d)));
+      maximum = std::max(maximum, difference<Dim>(block.weights_at(x - d), block.weights_at(x + d)));
     }
-  return most;
+  return maximum;
 }
 
 TEST(Ddmp, HasAGradientThatIsContinuousAcrossFaces) {

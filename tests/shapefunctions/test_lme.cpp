@@ -31,7 +31,7 @@ TEST_P(LeastBias, NoOtherWeightsWithTheSameLinearFieldsAreLessBiased) {
   for (const Grid<2>& grid : {four_cells<2>(), with_a_wall()})
     for (const Vec<2>& x : {Vec<2>(0.3, 1.7), Vec<2>(0.04, 2.0), Vec<2>(1.5, 1.5), Vec<2>(2.999, 0.5)}) {
       const auto N = weights<2>("lme", x, 0.25, Mat<2>::Identity(), grid, {{"gamma", gamma}});
-      const double least = bias(N, x, gamma, grid);
+      const double minimum = bias(N, x, gamma, grid);
       for (Index row = 4; row <= 7; ++row)
         for (Index first = 4; first <= 6; ++first)
           for (const double share : {1e-5, -1e-5}) {
@@ -40,7 +40,7 @@ TEST_P(LeastBias, NoOtherWeightsWithTheSameLinearFieldsAreLessBiased) {
               other[static_cast<std::size_t>(grid.node({first + k, row}))][0] += (k == 1 ? -2 : 1) * share;
             bool allowed = true;
             for (const Weight<2>& w : other) allowed = allowed && w[0] >= 0.0;
-            if (allowed) { EXPECT_GT(bias(other, x, gamma, grid), least) << x.transpose() << ", node " << first; }
+            if (allowed) { EXPECT_GT(bias(other, x, gamma, grid), minimum) << x.transpose() << ", node " << first; }
           }
     }
 }

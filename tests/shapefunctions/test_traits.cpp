@@ -63,23 +63,23 @@ std::vector<Weight<Dim>> weights_in_a_body(const std::string& name, const Vec<Di
 
 /// Where a point, or a face or corner of its domain, passes a face of a cell or its middle.
 template <int Dim>
-double greatest_jump(const std::string& name) {
+double max_jump(const std::string& name) {
   constexpr double step = 1e-9;
-  double greatest = 0.0;
+  double maximum = 0.0;
   for (double place = 1.0; place <= 2.0; place += 0.125) {
     const Vec<Dim> x = Vec<3>(place, 1.7, 2.6).head<Dim>(), d = step * Vec<Dim>::Unit(0);
-    greatest =
-        std::max(greatest, difference<Dim>(weights_in_a_body<Dim>(name, x - d), weights_in_a_body<Dim>(name, x + d)));
+    maximum =
+        std::max(maximum, difference<Dim>(weights_in_a_body<Dim>(name, x - d), weights_in_a_body<Dim>(name, x + d)));
   }
-  return greatest;
+  return maximum;
 }
 
 template <int Dim>
 void expect_jumps_as_promised(const std::string& name) {
   if (scheme<Dim>(name)->traits().continuous_gradients) {
-    EXPECT_LT(greatest_jump<Dim>(name), 1e-6);
+    EXPECT_LT(max_jump<Dim>(name), 1e-6);
   } else {
-    EXPECT_GT(greatest_jump<Dim>(name), 0.1) << "they are continuous, and it does not say so";
+    EXPECT_GT(max_jump<Dim>(name), 0.1) << "they are continuous, and it does not say so";
   }
 }
 

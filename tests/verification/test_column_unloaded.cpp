@@ -86,11 +86,11 @@ struct Moment {
 
 struct Outcome {
   std::vector<Moment> moments;
-  std::array<std::size_t, 3> stage_ends{};   ///< moments at which stages have ended
-  double greatest_gap = 0.0, most_apart = 0; ///< in void ratio at contact, against that at separation; share of points
-  double stress_apart = 0.0;                 ///< greatest norm of a separated point's stress [Pa]
-  double stress_at_rest = 0.0;               ///< greatest norm at the end of the second stage [Pa]
-  double kinetic = 0.0, balance = 0.0;       ///< greatest energies, over the greatest internal one
+  std::array<std::size_t, 3> stage_ends{}; ///< moments at which stages have ended
+  double max_gap = 0.0, max_distance = 0;  ///< in void ratio at contact, against that at separation; share of points
+  double stress_apart = 0.0;               ///< greatest norm of a separated point's stress [Pa]
+  double stress_at_rest = 0.0;             ///< greatest norm at the end of the second stage [Pa]
+  double kinetic = 0.0, balance = 0.0;     ///< greatest energies, over the greatest internal one
   bool finite = true;
 };
 
@@ -105,14 +105,13 @@ public:
       const auto id = static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)]);
       const double e = points.state[0][p], gap = points.state[1][p];
       if (gap_[id] == 0.0 && gap > 0.0) parted_at_[id] = (1.0 + e) * std::exp(-gap) - 1.0;
-      if (gap_[id] > 0.0 && gap == 0.0)
-        run.greatest_gap = std::max(run.greatest_gap, std::abs(e - parted_at_[id]) / (1.0 + e));
+      if (gap_[id] > 0.0 && gap == 0.0) run.max_gap = std::max(run.max_gap, std::abs(e - parted_at_[id]) / (1.0 + e));
       gap_[id] = gap;
       if (gap == 0.0) continue;
       apart += 1.0 / points.size();
       for (int c = 0; c < 6; ++c) run.stress_apart = std::max(run.stress_apart, std::abs(points.stress[c][p]));
     }
-    run.most_apart = std::max(run.most_apart, apart);
+    run.max_distance = std::max(run.max_distance, apart);
   }
 
 private:
@@ -184,10 +183,10 @@ double at(const std::vector<Moment>& curve, double strain) {
 
 /// Greatest difference on a stage of compression, over the stress at its end.
 double farthest(const Outcome& run, std::size_t stage, const std::vector<Moment>& curve) {
-  double most = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = stage ? run.stage_ends[stage - 1] : 0; i < run.stage_ends[stage]; ++i)
-    most = std::max(most, std::abs(run.moments[i].axial - at(curve, run.moments[i].strain)));
-  return most / curve.back().axial;
+    maximum = std::max(maximum, std::abs(run.moments[i].axial - at(curve, run.moments[i].strain)));
+  return maximum / curve.back().axial;
 }
 
 class UnloadedColumn : public testing::TestWithParam<ColumnCase> {
@@ -207,17 +206,17 @@ TEST_P(UnloadedColumn, PartsAndFollowsThePointDriverWhenItIsCompressedAgain) {
   const auto curves = point_curves(GetParam().cohesion);
   const double first = farthest(run, 0, curves[0]), again = farthest(run, 2, curves[2]);
   std::printf("| %-6s | %3.0f | %.1f | %.1e | %.0f %% | %.1f | %.1e | %.1e | %.1e |\n", GetParam().scheme.c_str(),
-              GetParam().cohesion, 1e-3 * curves[0].back().axial, first, 100 * run.most_apart,
-              1e-3 * curves[2].back().axial, again, run.greatest_gap, run.kinetic);
+              GetParam().cohesion, 1e-3 * curves[0].back().axial, first, 100 * run.max_distance,
+              1e-3 * curves[2].back().axial, again, run.max_gap, run.kinetic);
   expect_sound(run);
   EXPECT_LT(first, 1e-3);
   EXPECT_LT(again, GetParam().cohesion > 0.0 ? 0.04 : 0.015);
-  EXPECT_LT(run.greatest_gap, 5e-5);
+  EXPECT_LT(run.max_gap, 5e-5);
   if (GetParam().cohesion > 0.0) { // it tears in one place, and the rest keeps contact
-    EXPECT_GT(run.most_apart, 0.0);
+    EXPECT_GT(run.max_distance, 0.0);
     EXPECT_LT(run.stress_at_rest, GetParam().cohesion);
   } else {
-    EXPECT_EQ(run.most_apart, 1.0);
+    EXPECT_EQ(run.max_distance, 1.0);
     EXPECT_EQ(run.stress_at_rest, 0.0);
   }
 }
@@ -239,7 +238,7 @@ TEST(RattlingColumn, IsSofterThanAPointWhenItIsCompressedAgain) {
   const double point = point_curves(0.0)[2].back().axial, column = run.moments.back().axial;
   std::printf("gimp under FLIP 0.98: compressed again to %.1f kPa, a point to %.1f kPa\n", 1e-3 * column, 1e-3 * point);
   expect_sound(run);
-  EXPECT_EQ(run.most_apart, 1.0);
+  EXPECT_EQ(run.max_distance, 1.0);
   EXPECT_LT(column, point);
   EXPECT_GT(column, 0.5 * point);
 }

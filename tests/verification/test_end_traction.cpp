@@ -34,9 +34,9 @@ double imbalance(const std::string& scheme_name, double start) {
   locate_points(simulation.state(), simulation.model());
   simulation.model().transfer->points_to_grid(simulation.state(), simulation.model());
   add_loads(simulation.state(), simulation.model());
-  double greatest = 0.0;
-  for (const NodeSums<2>& node : simulation.state().nodes.sums) greatest = std::max(greatest, node.force.norm());
-  return greatest / (traction * h);
+  double maximum = 0.0;
+  for (const NodeSums<2>& node : simulation.state().nodes.sums) maximum = std::max(maximum, node.force.norm());
+  return maximum / (traction * h);
 }
 
 class EndTraction : public testing::TestWithParam<std::string> {};

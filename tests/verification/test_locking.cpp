@@ -64,7 +64,7 @@ void all_points_of_a_cell_dilate_alike(const std::string& name) {
     volume += before.volume[0][p];
     expansion += before.volume[0][p] * usual.velocity_gradient_of(p).trace();
   }
-  double greatest_change = 0.0;
+  double max_change = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
     const auto& [volume, expansion] = sums[cell_of(state.grid, before.position_of(p))];
     const Mat<Dim> was = usual.velocity_gradient_of(p), identity = Mat<Dim>::Identity();
@@ -76,9 +76,9 @@ void all_points_of_a_cell_dilate_alike(const std::string& name) {
     ASSERT_NEAR(points.volume[0][p], F.determinant() * before.initial_volume[0][p], 1e-14);
     ASSERT_NEAR(points.rate_norm[0][p], D.norm(), 1e-12);
     ASSERT_NEAR(points.shear_strain[0][p], dt * shear, 1e-13);
-    greatest_change = std::max(greatest_change, (L - was).norm());
+    max_change = std::max(max_change, (L - was).norm());
   }
-  EXPECT_GT(greatest_change, 0.1) << name << ": nothing to even out";
+  EXPECT_GT(max_change, 0.1) << name << ": nothing to even out";
 }
 
 constexpr double youngs_modulus = 1e6, height = 1.0, width = 4.0; // Pa, m/s, m
@@ -142,7 +142,7 @@ Strip squeeze(const std::string& scheme_name, StepFunction<2> step, Locking lock
   const double rest_time = 0.1 * duration;
   while (simulation.state().time < duration + rest_time) {
     simulation.step();
-    impulse += simulation.held("top").reaction * simulation.time_step();
+    impulse += simulation.boundary_report("top").reaction * simulation.time_step();
   }
   return {-impulse / rest_time / width / strain / youngs_modulus,
           scatter_in_cells(simulation.state()) / (youngs_modulus * strain)};

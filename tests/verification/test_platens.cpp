@@ -41,9 +41,9 @@ Angles compress(const std::string& scheme_name, const std::string& platen, const
 }
 
 double farthest(const Angles& a, const Angles& b) {
-  double most = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
+  double maximum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) maximum = std::max(maximum, std::abs(a[i] - b[i]));
+  return maximum;
 }
 
 class PlatenTest : public testing::TestWithParam<std::string> {

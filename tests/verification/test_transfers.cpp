@@ -113,8 +113,8 @@ TEST_P(TransferTest, OnlyApicKeepsTheAngularMomentumAndNoTransferGainsEnergyInAD
     }
     EXPECT_GT(after["flip"].angular_momentum, 0.9);
     EXPECT_GT(after["tpic"].angular_momentum, 0.9);
-    const double least = is_very_wide(GetParam()) ? 0.8 : 0.85; // wide functions smooth more
-    for (const char* one : {"apic", "tpic"}) EXPECT_GT(after[one].energy, least);
+    const double minimum = is_very_wide(GetParam()) ? 0.8 : 0.85; // wide functions smooth more
+    for (const char* one : {"apic", "tpic"}) EXPECT_GT(after[one].energy, minimum);
     EXPECT_GT(after["xpic 5"].energy, after["xpic 2"].energy);
     EXPECT_GT(after["xpic 2"].energy, after["pic"].energy);
     EXPECT_LT(after["pic"].energy, 0.01);
@@ -135,12 +135,12 @@ double energy_of_bar(const std::string& scheme, const Transfer& chosen, StepFunc
   model.fixed_time_step = 0.2 * h / c;
   Simulation<2> simulation(std::move(model), std::move(state));
   const double start = simulation.energies().kinetic;
-  double most = start;
+  double maximum = start;
   while (simulation.state().time < periods * 4.0 * length / c) {
     simulation.step();
-    most = std::max(most, simulation.energies().kinetic + simulation.energies().internal);
+    maximum = std::max(maximum, simulation.energies().kinetic + simulation.energies().internal);
   }
-  EXPECT_LT(most, 1.01 * start) << chosen.label << " gains energy";
+  EXPECT_LT(maximum, 1.01 * start) << chosen.label << " gains energy";
   return (simulation.energies().kinetic + simulation.energies().internal) / start;
 }
 

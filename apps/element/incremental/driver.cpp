@@ -13,16 +13,16 @@ namespace riedel {
 
 namespace {
 
-constexpr std::int64_t most_numbers = 10000; ///< parameters, or state variables
+constexpr std::int64_t max_numbers = 10000; ///< parameters, or state variables
 
 /// The order of parameters.inp for the laws of hypoplastic sand, as in the UMAT at soilmodels.com.
 const std::vector<std::string> sand{"phi_c", "cohesion_pressure", "h_s", "n", "e_d0", "e_c0", "e_i0", "alpha", "beta"};
 const std::vector<std::string> sand_laws{"von_wolffersdorff", "gudehus_bauer"};
 const std::vector<std::string> intergranular{"m_R", "m_T", "R", "beta_R", "chi"}; ///< behind those of the law
-constexpr double least_m_R = 0.5;               ///< m_R above it puts intergranular strain to work
+constexpr double min_m_R = 0.5;                 ///< m_R above it puts intergranular strain to work
 constexpr std::size_t void_ratio = 7, pore = 8; ///< numbers in STATEV; before them, the intergranular strain
 constexpr std::size_t last_note = 13;           ///< from 9 to it STATEV holds what the UMAT notes of its own
-constexpr double least_void_ratio = 1e-3;       ///< below it, STATEV(7) takes the sixteenth parameter
+constexpr double min_void_ratio = 1e-3;         ///< below it, STATEV(7) takes the sixteenth parameter
 
 /// What parameters.inp says of the state at the start.
 struct Start {
@@ -49,7 +49,7 @@ std::string name_in(InputLines& lines) {
 void read_umat_parameters(IncrementalCase& into, InputLines& lines, const std::string& name) {
   into.set(lines, "material.model", "\"umat\"");
   into.set(lines, "material.name", toml_text(name));
-  const std::int64_t count = lines.integer("the number of parameters", 0, most_numbers);
+  const std::int64_t count = lines.integer("the number of parameters", 0, max_numbers);
   std::vector<double> all;
   while (static_cast<std::int64_t>(all.size()) < count)
     all.push_back(lines.number("parameter " + std::to_string(all.size() + 1)));
@@ -59,7 +59,7 @@ void read_umat_parameters(IncrementalCase& into, InputLines& lines, const std::s
 void read_intergranular(IncrementalCase& into, InputLines& lines, std::int64_t count) {
   const auto all = static_cast<std::int64_t>(sand.size() + intergranular.size());
   const double m_R = lines.number(intergranular.front());
-  const bool at_work = m_R > least_m_R;
+  const bool at_work = m_R > min_m_R;
   if (at_work && count < all)
     lines.refuse("m_R = " + exact_text(m_R) + " asks for intergranular strain, which needs " + std::to_string(all) +
                  " parameters");
@@ -85,7 +85,7 @@ Start read_sand_parameters(IncrementalCase& into, InputLines& lines, const std::
   constexpr std::int64_t water = 15, e_0 = 16;
   if (std::ranges::find(sand_laws, law) == sand_laws.end()) refuse_law(lines, law);
   into.set(lines, "material.model", toml_text(law));
-  const std::int64_t count = lines.integer("the number of parameters", 0, most_numbers);
+  const std::int64_t count = lines.integer("the number of parameters", 0, max_numbers);
   const auto own = static_cast<std::int64_t>(sand.size());
   if (count < own)
     lines.refuse(std::to_string(count) + " parameters are too few: " + law + " needs " + std::to_string(own));
@@ -117,7 +117,7 @@ void read_stress(IncrementalCase& into, InputLines& lines) {
 
 /// STATEV; what is missing at the end of the file is zero.
 std::vector<double> read_states(InputLines& lines) {
-  std::vector<double> all(static_cast<std::size_t>(lines.integer("the number of state variables", 0, most_numbers)));
+  std::vector<double> all(static_cast<std::size_t>(lines.integer("the number of state variables", 0, max_numbers)));
   std::string line;
   for (std::size_t s = 0; s < all.size() && lines.next(line); ++s)
     all[s] = lines.numbers_in(line, 1, "statev(" + std::to_string(s + 1) + ")").front();
@@ -136,7 +136,7 @@ void take_sand_states(IncrementalCase& into, const InputLines& lines, std::vecto
   into.set(lines, "initial.intergranular_strain",
            toml_text(std::vector{0.0 - state[0], 0.0 - state[1], 0.0 - state[2]}));
   double e = state[void_ratio - 1];
-  if (start.void_ratio && e < least_void_ratio) e = *start.void_ratio;
+  if (start.void_ratio && e < min_void_ratio) e = *start.void_ratio;
   into.set(lines, "specimen.void_ratio", e);
   into.set(lines, "initial.pore_pressure", -into.stress_unit * state[pore - 1]);
 }

@@ -55,15 +55,16 @@ std::vector<double> InputLines::numbers_in(std::string line, std::size_t count, 
   return all;
 }
 
-std::int64_t InputLines::integer(const std::string& what, std::int64_t least, std::int64_t most) {
-  return integer_of(number(what), what, least, most);
+std::int64_t InputLines::integer(const std::string& what, std::int64_t minimum, std::int64_t maximum) {
+  return integer_of(number(what), what, minimum, maximum);
 }
 
-std::int64_t InputLines::integer_of(double x, const std::string& what, std::int64_t least, std::int64_t most) const {
-  const bool whole = x == std::floor(x) && x >= static_cast<double>(least) && x <= static_cast<double>(most);
+std::int64_t InputLines::integer_of(double x, const std::string& what, std::int64_t minimum,
+                                    std::int64_t maximum) const {
+  const bool whole = x == std::floor(x) && x >= static_cast<double>(minimum) && x <= static_cast<double>(maximum);
   if (!whole)
-    refuse(exact_text(x) + " is not " + what + "; allowed: an integer in [" + std::to_string(least) + ", " +
-           std::to_string(most) + "]");
+    refuse(exact_text(x) + " is not " + what + "; allowed: an integer in [" + std::to_string(minimum) + ", " +
+           std::to_string(maximum) + "]");
   return static_cast<std::int64_t>(x);
 }
 

@@ -28,9 +28,10 @@ public:
   /// The first numbers of a line that has been read.
   [[nodiscard]] std::vector<double> numbers_in(std::string line, std::size_t count, const std::string& what) const;
   /// An integer at the beginning of the next line. @param what names it
-  std::int64_t integer(const std::string& what, std::int64_t least, std::int64_t most);
+  std::int64_t integer(const std::string& what, std::int64_t minimum, std::int64_t maximum);
   /// The same number as an integer, or refused.
-  [[nodiscard]] std::int64_t integer_of(double x, const std::string& what, std::int64_t least, std::int64_t most) const;
+  [[nodiscard]] std::int64_t integer_of(double x, const std::string& what, std::int64_t minimum,
+                                        std::int64_t maximum) const;
   double number(const std::string& what) { return numbers(1, what).front(); }
 
 private:

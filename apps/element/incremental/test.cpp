@@ -73,10 +73,10 @@ private:
   }
 
   void read_repetition(const std::string& at) {
-    constexpr std::int64_t most_steps = 1000, most_rounds = 1'000'000;
+    constexpr std::int64_t max_steps = 1000, max_rounds = 1'000'000;
     const auto counts = lines_.numbers(2, "the number of steps and of repetitions");
-    const std::int64_t steps = lines_.integer_of(counts[0], "a number of steps", 1, most_steps);
-    rounds_ = lines_.integer_of(counts[1], "a number of repetitions", 1, most_rounds);
+    const std::int64_t steps = lines_.integer_of(counts[0], "a number of steps", 1, max_steps);
+    rounds_ = lines_.integer_of(counts[1], "a number of repetitions", 1, max_rounds);
     into_.set(lines_, at + "repeat", std::to_string(rounds_));
     const double before = time_;
     phased_.clear();
@@ -144,13 +144,13 @@ private:
     const std::string line = lines_.line("increments, iterations and a time");
     const std::size_t colon = std::min(line.find(':'), line.size());
     const auto numbers = lines_.numbers_in(line.substr(0, colon), 3, "increments, iterations and a time");
-    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
-    (void)lines_.integer_of(numbers[0], "a number of increments", 1, most);
-    (void)lines_.integer_of(numbers[1], "a number of iterations", 0, most);
+    constexpr std::int64_t maximum = std::numeric_limits<std::int32_t>::max();
+    (void)lines_.integer_of(numbers[0], "a number of increments", 1, maximum);
+    (void)lines_.integer_of(numbers[1], "a number of iterations", 0, maximum);
     if (colon < line.size())
       (void)lines_.integer_of(
           lines_.numbers_in(line.substr(colon + 1), 1, "each how manieth increment is written").front(),
-          "a number of increments between rows", -most, most);
+          "a number of increments between rows", -maximum, maximum);
     refuse_temperature(line);
     if (!(numbers[2] > 0.0)) lines_.refuse("a time of " + exact_text(numbers[2]) + "; allowed: more than 0");
     return numbers[2];

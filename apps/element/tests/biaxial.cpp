@@ -12,7 +12,7 @@ ElementTest biaxial_element_test() {
           .pressure_key = "loading.confining_pressure",
           .pressure_name = "confining pressure",
           .normal = {"eps_1", "sigma_2", "eps_3"},
-          .plates = {PlateMotion::driven, PlateMotion::free, PlateMotion::held},
+          .plates = {PlateMotion::driven, PlateMotion::free, PlateMotion::fixed},
           .pictures = pictures_of_compression()};
 }
 

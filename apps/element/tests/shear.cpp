@@ -14,7 +14,7 @@ ElementTest shear_test() {
           .normal = {"eps_1", "sigma_2", "eps_3"},
           .driven = "gamma",
           .friction = Friction::on_planes,
-          .plates = {PlateMotion::driven, PlateMotion::free, PlateMotion::held},
+          .plates = {PlateMotion::driven, PlateMotion::free, PlateMotion::fixed},
           .pictures = {{"friction.png", picture_axes::gamma(), picture_axes::phi()},
                        {"void_ratio.png", picture_axes::gamma(), picture_axes::void_ratio()},
                        {"stress_strain.png", picture_axes::gamma(), picture_axes::tau()},

@@ -6,8 +6,8 @@ Key element_pressure_key(const std::string& name, double standard, std::string d
   return {"loading." + name, standard, "Pa", more_than(0), std::move(doc)};
 }
 
-Key element_strain_key(double standard, const std::string& doc, double most) {
-  return {"loading.final_strain", standard, "-", within(0, most), doc};
+Key element_strain_key(double standard, const std::string& doc, double maximum) {
+  return {"loading.final_strain", standard, "-", within(0, maximum), doc};
 }
 
 namespace picture_axes {

@@ -21,7 +21,7 @@ struct ElementPicture {
 };
 
 /// How the plates normal to one axis move.
-enum class PlateMotion { held, free, driven };
+enum class PlateMotion { fixed, free, driven };
 
 struct ElementTest {
   std::string name, title;
@@ -39,7 +39,7 @@ struct ElementTest {
   std::string limit_measure = {}, limit_key = {}; ///< ends the test above that number, if it comes first; empty: none
 
   int dimensions = 2; ///< of the specimen; 3 where plane strain would be another test
-  std::array<PlateMotion, 3> plates{PlateMotion::driven, PlateMotion::held, PlateMotion::held}; ///< normal to 1, 2, 3
+  std::array<PlateMotion, 3> plates{PlateMotion::driven, PlateMotion::fixed, PlateMotion::fixed}; ///< normal to 1, 2, 3
   bool confined = true; ///< the pressure acts on the sides as it is, through all of the test
 
   std::vector<ElementPicture> pictures;
@@ -50,7 +50,7 @@ struct ElementTest {
 
 /// For the tests' tables of keys.
 Key element_pressure_key(const std::string& name, double standard, std::string doc);
-Key element_strain_key(double standard, const std::string& doc, double most = 1.0);
+Key element_strain_key(double standard, const std::string& doc, double maximum = 1.0);
 inline constexpr const char* ends_at_vertical_strain = "vertical strain u/h0 at which the test ends";
 
 /// Axes of the pictures.

@@ -66,12 +66,12 @@ inline void store_lanes(double* column, const Pack& values, Range lanes) {
   std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
 }
 
-/// v_p, and the way that the points of a slab have yet to go.
+/// v_p, and the displacement that the points of a slab have yet to make.
 template <int Dim>
 void keep(const NewMotion<Dim>& motion, Body<Dim>& body, const SlabGroup<Dim>& group) {
   for (int a = 0; a < Dim; ++a) {
     store_lanes(body.points.velocity[a] + group.first, motion.velocity[a], group.lanes);
-    store_lanes(body.way[a] + group.first, motion.way[a], group.lanes);
+    store_lanes(body.displacement_increment[a] + group.first, motion.displacement_increment[a], group.lanes);
   }
 }
 

@@ -9,10 +9,10 @@
 
 namespace riedel {
 
-/// v_p after the step, and the points' way Δt Σ N_ip v_i.
+/// v_p after the step, and the points' displacement Δt Σ N_ip v_i.
 template <int Dim>
 struct NewMotion {
-  std::array<Pack, Dim> velocity, way;
+  std::array<Pack, Dim> velocity, displacement_increment;
 };
 
 /// v_p ← flip (v_p + Δt Σ N_ip a_i) + (1 − flip) Σ N_ip v_i.
@@ -23,22 +23,23 @@ NewMotion<Dim> new_motion(const Gathered<Dim>& sum, const Points<Dim>& points, I
   for (int i = 0; i < Dim; ++i) {
     const Pack v = first[i], a = second[Dim == 2 ? 2 + i : i]; // in the plane one row holds both
     motion.velocity[i] = Pack(flip) * (Pack::load(points.velocity[i] + p) + Pack(dt) * a) + Pack(1.0 - flip) * v;
-    motion.way[i] = Pack(dt) * v;
+    motion.displacement_increment[i] = Pack(dt) * v;
   }
   return motion;
 }
 
-/// x_p ← x_p + way.
+/// x_p ← x_p + displacement_increment.
 template <int Dim>
-void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pack, Dim>>& way) {
-  for (int a = 0; a < Dim; ++a) (Pack::load(points.position[a] + p) + way[a]).store(points.position[a] + p);
+void move(Points<Dim>& points, Index p, const std::type_identity_t<std::array<Pack, Dim>>& displacement_increment) {
+  for (int a = 0; a < Dim; ++a)
+    (Pack::load(points.position[a] + p) + displacement_increment[a]).store(points.position[a] + p);
 }
 
 /// v_p and x_p after the step.
 template <int Dim>
 void take_up(const NewMotion<Dim>& motion, Points<Dim>& points, Index p) {
   for (int a = 0; a < Dim; ++a) motion.velocity[a].store(points.velocity[a] + p);
-  move(points, p, motion.way);
+  move(points, p, motion.displacement_increment);
 }
 
 /// F_p ← (I + L_p Δt) F_p, V_p = V_p0 det F_p, ‖D_p‖, and the accumulated shear strain.

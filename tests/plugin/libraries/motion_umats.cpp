@@ -83,9 +83,9 @@ void demand_equal(const char* what, double found, double wanted, double size) {
 }
 
 double largest(const double* a, int count) {
-  double most = 0.0;
-  for (int i = 0; i < count; ++i) most = std::max(most, std::abs(a[i]));
-  return most;
+  double maximum = 0.0;
+  for (int i = 0; i < count; ++i) maximum = std::max(maximum, std::abs(a[i]));
+  return maximum;
 }
 
 Six turned(const double* a, const Call& c, int kind) {
