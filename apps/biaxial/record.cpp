@@ -39,7 +39,7 @@ BiaxialRun<Dim>::BiaxialRun(const BiaxialCase& values, const Catalogue& catalogu
       depth_(specimen_depth(values)),
       simulation_(make_biaxial<Dim>(values, catalogue)),
       speed_(ramped(values.loading.speed, values.loading.ramp_time)),
-      start_(places_of(simulation_.state())),
+      start_(places_of(simulation_)),
       folder_(std::move(folder)),
       loop_(simulation_, std::move(stepper)) {
   if (values.output.vtk) series_.emplace(folder_);

@@ -43,7 +43,7 @@ int main(int argc, char** argv) try {
 
   // 4. The run, with a frame and a row every 20 ms.
   Simulation<2> simulation(std::move(model), std::move(state));
-  const StartPlaces<2> start = places_of(simulation.state());
+  const StartPlaces<2> start = places_of(simulation);
   SeriesWriter frames(folder);
   History history(folder / "history.csv", {"time_s", "front_m", "height_m", "kinetic_J_per_m"});
   Run<2> run(simulation);

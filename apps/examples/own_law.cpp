@@ -45,7 +45,7 @@ int main(int argc, char** argv) try {
   }});
 
   Simulation<2> simulation(std::move(model), std::move(state));
-  const StartPlaces<2> start = places_of(simulation.state());
+  const StartPlaces<2> start = places_of(simulation);
   SeriesWriter frames(folder);
   History history(folder / "history.csv", {"time_s", "height_m"});
   Run<2> run(simulation);

@@ -177,7 +177,8 @@ const HomogeneousTest& PaperResults::homogeneous(double void_ratio) const {
 std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& v) {
   const std::vector<FrameFile> files = frame_files(run.folder);
   if (files.empty() || files.front().path.extension() != ".vtp") return {};
-  const Frame first = read_frame(files.front().path), last = read_frame(files.back().path);
+  const Frame first = deformable_points(read_frame(files.front().path)),
+              last = deformable_points(read_frame(files.back().path));
   const auto require_same_points = [&](const Frame& frame, const FrameFile& file) {
     if (frame.points() != first.points()) throw InputError(file.path.string() + ": is of another run");
   };
@@ -213,7 +214,7 @@ std::vector<PointCurve> points_in_and_out(const RunResult& run, const Values& v)
                         .void_ratio = {},
                         .pressure = last.field("mean_pressure").values[p]});
   for (const FrameFile& file : files) {
-    const Frame frame = read_frame(file.path);
+    const Frame frame = deformable_points(read_frame(file.path));
     require_same_points(frame, file);
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const std::size_t p = k < outside.size() ? outside[k] : inside[k - outside.size()];

@@ -83,7 +83,8 @@ void put_in_plane(std::vector<double>& xyz) {
 
 } // namespace
 
-Frame mean_over_depth(const Frame& slab, double depth) {
+Frame mean_over_depth(const Frame& all, double depth) {
+  const Frame slab = deformable_points(all);
   const Stacks stacks = stacks_of(slab);
   Frame plane{.dimension = 2,
               .time = slab.time,
@@ -104,7 +105,8 @@ Frame mean_over_depth(const Frame& slab, double depth) {
   return plane;
 }
 
-double depth_of(const Frame& slab) {
+double depth_of(const Frame& all) {
+  const Frame slab = deformable_points(all);
   double low = slab.corners[2], high = low;
   for (std::size_t i = 2; i < slab.corners.size(); i += 3) {
     low = std::min(low, slab.corners[i]);

@@ -27,7 +27,8 @@ std::vector<double> void_ratios(const Frame& frame) {
 
 } // namespace
 
-ShearBand measure_band(const Frame& frame, const BandSettings& settings, const Placement& in_specimen) {
+ShearBand measure_band(const Frame& all, const BandSettings& settings, const Placement& in_specimen) {
+  const Frame frame = deformable_points(all);
   const Places places(frame, in_specimen);
   const std::vector<double> e = void_ratios(frame);
   const auto& J = frame.field("volume_ratio").values;
@@ -45,8 +46,9 @@ ShearBand measure_band(const Frame& frame, const BandSettings& settings, const P
                             settings);
 }
 
-StressQuality measure_quality(const Frame& frame, const ShearBand& band, const QualitySettings& settings,
+StressQuality measure_quality(const Frame& all, const ShearBand& band, const QualitySettings& settings,
                               const Placement& in_specimen) {
+  const Frame frame = deformable_points(all);
   const Places places(frame, in_specimen);
   const std::vector<double> e = void_ratios(frame);
   return measure_stress_quality({.x = places.x,

@@ -67,6 +67,8 @@ public:
   virtual void apply(BoundaryStep<Dim>& step) = 0;
   /// After a remap, or before the strains of USF: sets velocities alone. `power.end` gains m_i a_i · Δv_i.
   virtual void apply_velocities(BoundaryStep<Dim>& step) = 0;
+  /// What it consists of, for files and pictures; null: of no points.
+  [[nodiscard]] virtual const Points<Dim>* points() const { return nullptr; }
   /// At the end of a step: moves what it consists of.
   virtual void move(double /*time*/, double /*dt*/) {}
 

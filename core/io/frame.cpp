@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace riedel {
 
@@ -35,6 +36,26 @@ void Frame::check() const {
   for (const Field& f : fields)
     require(f.values.size() == points() * static_cast<std::size_t>(f.components),
             "field '" + f.name + "' does not match the points");
+}
+
+Frame deformable_points(const Frame& frame) {
+  if (!frame.has("mean_pressure")) return frame;
+  const std::vector<double>& pressure = frame.field("mean_pressure").values;
+  if (std::ranges::none_of(pressure, [](double p) { return std::isnan(p); })) return frame;
+  const auto chosen = [&](const std::vector<double>& values) {
+    const std::size_t of_each = values.size() / pressure.size();
+    std::vector<double> left;
+    for (std::size_t p = 0; p < pressure.size(); ++p)
+      if (!std::isnan(pressure[p]))
+        left.insert(left.end(), values.begin() + static_cast<std::ptrdiff_t>(p * of_each),
+                    values.begin() + static_cast<std::ptrdiff_t>((p + 1) * of_each));
+    return left;
+  };
+  Frame result = frame;
+  result.position = chosen(frame.position);
+  result.corners = chosen(frame.corners);
+  for (Field& field : result.fields) field.values = chosen(field.values);
+  return result;
 }
 
 } // namespace riedel

@@ -10,13 +10,13 @@ namespace riedel {
 
 namespace {
 
-/// Adds fields of one body after the other, reading its points in the order of their ids.
+/// Adds fields of one body after the other, deformable or rigid, reading its points in the order of their ids.
 template <int Dim>
 class FieldList {
 public:
   /// @param before number of points of the bodies before this one
-  FieldList(const Body<Dim>& body, std::size_t before, std::vector<Field>& fields)
-      : points_(body.points), body_(body.name), before_(before), fields_(fields) {}
+  FieldList(const Points<Dim>& points, const std::string& body, std::size_t before, std::vector<Field>& fields)
+      : points_(points), body_(body), before_(before), fields_(fields) {}
 
   template <class Value>
   Field& add(const std::string& name, int components, const std::string& unit, const Value& value) {
@@ -118,17 +118,30 @@ void add_stress_and_rates(const Body<Dim>& body, FieldList<Dim>& list) {
   if (body.averager) list.add("averaged", averaged_unit(body), points.averaged);
 }
 
-/// @param start of the body's points, by id; empty: not known
 template <int Dim>
-void add_motion(const Body<Dim>& body, const std::vector<Vec<Dim>>& start, FieldList<Dim>& list) {
-  const Points<Dim>& points = body.points;
+void add_numbers(const Points<Dim>& points, std::size_t before, std::size_t body, FieldList<Dim>& list) {
+  list.add("id", 1, "-",
+           [&](Index p, int) {
+             return static_cast<double>(before) + static_cast<double>(points.id[static_cast<std::size_t>(p)]);
+           })
+      .whole = true;
+  list.add("body", 1, "-", [&](Index, int) { return static_cast<double>(body); }).whole = true;
+}
+
+/// @param start of the body's points, by id; null: not known
+template <int Dim>
+void add_motion(const Points<Dim>& points, const std::vector<Vec<Dim>>* start, FieldList<Dim>& list) {
   list.add("velocity", 3, "m/s", [&](Index p, int c) { return c < Dim ? points.velocity[c][p] : 0.0; });
-  if (!start.empty())
+  if (start != nullptr)
     list.add("displacement", 3, "m", [&](Index p, int c) {
       const auto id = static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)]);
-      return c < Dim ? points.position[c][p] - start[id][c] : 0.0;
+      return c < Dim ? points.position[c][p] - (*start)[id][c] : 0.0;
     });
   list.add("volume", Dim == 2 ? "m2" : "m3", points.volume);
+}
+
+template <int Dim>
+void add_deformation(const Points<Dim>& points, FieldList<Dim>& list) {
   list.add("mass", Dim == 2 ? "kg/m" : "kg", points.mass);
   list.add("volume_ratio", 1, "-", [&](Index p, int) { return points.volume[0][p] / points.initial_volume[0][p]; });
   list.add("polar_rotation", 1, "deg",
@@ -137,24 +150,31 @@ void add_motion(const Body<Dim>& body, const std::vector<Vec<Dim>>& start, Field
            [&](Index p, int c) { return component_of<Dim>(points.deformation_gradient, p, c); });
 }
 
+/// Calls visit(points, name, body) for each body, and for each condition of rigid points, whose body is null.
+template <int Dim, class Visit>
+void for_each_body(const Simulation<Dim>& simulation, const Visit& visit) {
+  for (const Body<Dim>& body : simulation.state().bodies) visit(body.points, body.name, &body);
+  for (const Boundary<Dim>& condition : simulation.model().conditions)
+    if (const Points<Dim>* points = condition->points())
+      visit(*points, condition->name(), static_cast<const Body<Dim>*>(nullptr));
+}
+
 template <int Dim>
-void add_fields(const State<Dim>& state, const StartPlaces<Dim>& start, std::vector<Field>& fields) {
-  std::size_t before = 0;
-  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
-    const Body<Dim>& body = state.bodies[b];
-    FieldList<Dim> list(body, before, fields);
-    list.add("id", 1, "-",
-             [&](Index p, int) {
-               return static_cast<double>(before) + static_cast<double>(body.points.id[static_cast<std::size_t>(p)]);
-             })
-        .whole = true;
-    list.add("body", 1, "-", [&](Index, int) { return static_cast<double>(b); }).whole = true;
-    add_state(body, list);
-    add_stress_and_rates(body, list);
-    add_motion(body, start.empty() ? std::vector<Vec<Dim>>{} : start[b], list);
+void add_fields(const Simulation<Dim>& simulation, const StartPlaces<Dim>& start, std::vector<Field>& fields) {
+  std::size_t before = 0, number = 0;
+  for_each_body(simulation, [&](const Points<Dim>& points, const std::string& name, const Body<Dim>* body) {
+    FieldList<Dim> list(points, name, before, fields);
+    add_numbers(points, before, number, list);
+    if (body != nullptr) {
+      add_state(*body, list);
+      add_stress_and_rates(*body, list);
+    }
+    add_motion(points, number < start.size() ? &start[number] : nullptr, list);
+    if (body != nullptr) add_deformation(points, list);
     list.fill_gaps();
-    before += body.points.place.size();
-  }
+    before += points.place.size();
+    ++number;
+  });
 }
 
 /// Corners in VTK's order: counter-clockwise, the lower face first.
@@ -168,12 +188,12 @@ void add_corners(const Corners<Dim>& of_domain, std::vector<double>& corners) {
 } // namespace
 
 template <int Dim>
-StartPlaces<Dim> places_of(const State<Dim>& state) {
+StartPlaces<Dim> places_of(const Simulation<Dim>& simulation) {
   StartPlaces<Dim> places;
-  for (const Body<Dim>& body : state.bodies) {
+  for_each_body(simulation, [&](const Points<Dim>& points, const std::string&, const Body<Dim>*) {
     places.emplace_back();
-    for (const Index p : body.points.place) places.back().push_back(body.points.position_of(p));
-  }
+    for (const Index p : points.place) places.back().push_back(points.position_of(p));
+  });
   return places;
 }
 
@@ -183,18 +203,19 @@ Frame snapshot(const Simulation<Dim>& simulation, const StartPlaces<Dim>& start,
   const State<Dim>& state = simulation.state();
   Frame frame{
       .dimension = Dim, .time = state.time, .scalars = std::move(scalars), .position = {}, .corners = {}, .fields = {}};
-  for (const Body<Dim>& body : state.bodies)
-    for (const Index p : body.points.place) {
-      const Vec<Dim> x = body.points.position_of(p);
+  for_each_body(simulation, [&](const Points<Dim>& points, const std::string&, const Body<Dim>*) {
+    for (const Index p : points.place) {
+      const Vec<Dim> x = points.position_of(p);
       for (int a = 0; a < 3; ++a) frame.position.push_back(a < Dim ? x[a] : 0.0);
-      add_corners<Dim>(simulation.model().scheme->corners(state.grid, body.points, p), frame.corners);
+      add_corners<Dim>(simulation.model().scheme->corners(state.grid, points, p), frame.corners);
     }
-  add_fields(state, start, frame.fields);
+  });
+  add_fields(simulation, start, frame.fields);
   return frame;
 }
 
-template StartPlaces<2> places_of<2>(const State<2>&);
-template StartPlaces<3> places_of<3>(const State<3>&);
+template StartPlaces<2> places_of<2>(const Simulation<2>&);
+template StartPlaces<3> places_of<3>(const Simulation<3>&);
 template Frame snapshot<2>(const Simulation<2>&, const StartPlaces<2>&, std::map<std::string, double>);
 template Frame snapshot<3>(const Simulation<3>&, const StartPlaces<3>&, std::map<std::string, double>);
 

@@ -56,7 +56,7 @@ void add_arrays(Arrays& arrays, const std::shared_ptr<const Material>& law) {
   body.averager =
       catalogue().in<Dim>().averagers.find("gauss").make(0.01, catalogue().in<Dim>().searches.entries()[0].make());
   const Simulation<Dim> simulation(model_with<Dim>("gimp"), std::move(state));
-  for (const Field& field : snapshot(simulation, places_of(simulation.state())).fields) {
+  for (const Field& field : snapshot(simulation, places_of(simulation)).fields) {
     Array& array = arrays[field.name];
     array.components = field.components;
     array.units.insert(field.unit);

@@ -49,8 +49,8 @@ TEST(RigidBody, HoldsEachNodeThatItsPointsTouchOnce) {
 TEST(RigidBody, TakesOtherNodesWhenItMovesIntoAnotherCell) {
   RigidPair pair;
   move_boundaries(pair.model, end, 0.25); // by −0.5
-  EXPECT_EQ(pair.platen().points().position[1][0], 2.75);
-  EXPECT_EQ(pair.platen().points().position[0][0], 1.5);
+  EXPECT_EQ(pair.platen().points()->position[1][0], 2.75);
+  EXPECT_EQ(pair.platen().points()->position[0][0], 1.5);
   follow_boundaries(pair.state, pair.model);
   EXPECT_THAT(pair.platen().nodes(), UnorderedElementsAre(11, 12, 13, 16, 17, 18));
 }

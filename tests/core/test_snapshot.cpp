@@ -66,7 +66,7 @@ TEST(Snapshot, PutsPointsInTheOrderOfTheirIds) {
 TEST(Snapshot, CarriesTimeStrainAndTheFieldsThatFilesPromise) {
   Simulation<2> simulation = reversed_points();
   simulation.step();
-  const Frame frame = snapshot(simulation, places_of(simulation.state()), {{"u_over_h", 0.03}});
+  const Frame frame = snapshot(simulation, places_of(simulation), {{"u_over_h", 0.03}});
   EXPECT_EQ(frame.time, simulation.state().time);
   EXPECT_EQ(frame.scalar("u_over_h"), 0.03);
   EXPECT_EQ(frame.dimension, 2);

@@ -1,5 +1,6 @@
 /// What a frame tells of the motion of points, of the work done on them, and of several bodies.
 #include "core/io/snapshot.hpp"
+#include "core/step/boundaries/rigid_body.hpp"
 #include "support/problems.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ Simulation<Dim> thrown(Counts<Dim> cells) {
 template <int Dim>
 void expect_displacements(Counts<Dim> cells) {
   Simulation<Dim> simulation = thrown<Dim>(cells);
-  const StartPlaces<Dim> start = places_of(simulation.state());
+  const StartPlaces<Dim> start = places_of(simulation);
   const Frame first = snapshot(simulation, start);
   EXPECT_THAT(first.field("displacement").values, Each(0.0));
   for (int step = 0; step < 20; ++step) simulation.step();
@@ -90,7 +91,7 @@ Simulation<2> two_bodies() {
 
 TEST(Snapshot, HoldsEveryBodyAndTellsThemApart) {
   Simulation<2> simulation = two_bodies();
-  const Frame frame = snapshot(simulation, places_of(simulation.state()));
+  const Frame frame = snapshot(simulation, places_of(simulation));
   frame.check();
   ASSERT_EQ(frame.points(), 16U);
   std::vector<double> numbers(16);
@@ -109,6 +110,41 @@ TEST(Snapshot, HoldsEveryBodyAndTellsThemApart) {
   EXPECT_TRUE(frame.field("id").whole);
   EXPECT_TRUE(frame.field("body").whole);
   EXPECT_FALSE(frame.field("stress").whole);
+}
+
+/// An elastic body, and a block of four rigid points above it that moves down.
+Simulation<2> under_a_platen(const std::string& scheme_name) {
+  State<2> state = elastic_state<2>({4, 4}, 0.01, 1, 3, [](const auto& x) { return x[1] < 0.02; });
+  Model<2> model = model_with<2>(scheme_name);
+  NodeBox<2> cells{.first = {3, 6}, .last = {7, 7}, .axis = 1}; // the grid has a margin of three cells
+  Values values(RigidBody<2>::parameters());
+  values.set("velocity", std::vector{-2.0});
+  model.conditions.push_back(std::make_unique<RigidBody<2>>("platen", cells, values));
+  return {std::move(model), std::move(state)};
+}
+
+TEST(Snapshot, HoldsRigidPointsAsAFurtherBody) {
+  for (const char* scheme_name : {"linear", "gimp", "cpdi", "cpdi2"}) {
+    Simulation<2> simulation = under_a_platen(scheme_name);
+    const StartPlaces<2> start = places_of(simulation);
+    const Frame first = snapshot(simulation, start);
+    for (int step = 0; step < 3; ++step) simulation.step();
+    const Frame last = snapshot(simulation, start);
+    last.check();
+    ASSERT_EQ(last.points(), 12U);
+    const double time = simulation.state().time;
+    for (std::size_t p = 8; p < 12; ++p) {
+      EXPECT_EQ(last.field("body").values[p], 1.0);
+      EXPECT_EQ(last.field("id").values[p], static_cast<double>(p));
+      EXPECT_EQ(last.field("velocity").values[3 * p + 1], -2.0);
+      EXPECT_NEAR(last.field("displacement").values[3 * p + 1], -2.0 * time, 1e-15);
+      EXPECT_NEAR(first.position[3 * p + 1], 0.035, 1e-15);
+      EXPECT_NEAR(first.field("volume").values[p], 1e-4, 1e-15);
+      EXPECT_TRUE(std::isnan(last.field("mean_pressure").values[p])) << "it bears no stress of its own";
+    }
+    EXPECT_EQ(deformable_points(last).points(), 8U);
+    EXPECT_THAT(deformable_points(last).field("body").values, Each(0.0));
+  }
 }
 
 } // namespace

@@ -48,6 +48,7 @@ template <int Dim>
 void RigidBody<Dim>::bind(const Grid<Dim>& grid, const ShapeFunction<Dim>& scheme) {
   if (!this->velocity_) throw InputError("rigid body '" + this->name() + "' has no velocity");
   if (points_.size() == 0) fill(points_, grid, cells_, this->name());
+  initialise(scheme, grid, points_); // they have domains from the start
   stencils_.resize(points_.size(), scheme.max_nodes());
   this->nodes_.clear();
   this->nodes_.reserve(static_cast<std::size_t>(grid.node_count()));
@@ -72,10 +73,13 @@ void RigidBody<Dim>::follow(const Grid<Dim>& grid, const ShapeFunction<Dim>& sch
 template <int Dim>
 void RigidBody<Dim>::move(double time, double dt) {
   const Vec<Dim> direction = this->direction_.vector();
-  const double distance = dt * this->velocity_(time);
+  const double speed = this->velocity_(time), distance = dt * speed;
   for (int a = 0; a < Dim; ++a)
     if (direction[a] != 0.0)
-      for (Index p = 0; p < points_.size(); ++p) points_.position[a][p] += distance * direction[a];
+      for (Index p = 0; p < points_.size(); ++p) {
+        points_.velocity[a][p] = speed * direction[a];
+        points_.position[a][p] += distance * direction[a];
+      }
 }
 
 template class RigidBody<2>;

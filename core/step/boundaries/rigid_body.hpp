@@ -28,7 +28,7 @@ public:
   /// Finds the nodes that its points touch; throws RunError when one leaves the grid.
   void follow(const Grid<Dim>& grid, const ShapeFunction<Dim>& scheme) override;
   void move(double time, double dt) override;
-  [[nodiscard]] const Points<Dim>& points() const { return points_; }
+  [[nodiscard]] const Points<Dim>* points() const override { return &points_; }
 
 private:
   Points<Dim> points_;
