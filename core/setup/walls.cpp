@@ -55,7 +55,7 @@ std::vector<Boundary<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& 
                                       Behind behind) {
   const NodeBox<Dim> nodes = side(grid, name, axis, place, behind);
   std::vector<Boundary<Dim>> all;
-  for (int axis = 0; axis < Dim; ++axis) all.push_back(fixed(name + "_" + "xyz"[axis], nodes, axis));
+  for (int each = 0; each < Dim; ++each) all.push_back(fixed(name + "_" + "xyz"[each], nodes, each));
   return all;
 }
 
