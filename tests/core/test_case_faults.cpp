@@ -88,14 +88,14 @@ TEST_F(CaseFiles, ALetterBeyondAsciiStandsInQuotesOnly) {
 
 TEST_F(CaseFiles, AWordWithoutQuotesIsToldToTakeThem) {
   EXPECT_THAT(syntax_error("[specimen]\nscheme = gimp # best\n"),
-              AllOf(StartsWith("case.toml:2:10: not valid TOML: "), HasSubstr("a text stands in quotes: \"gimp\"")));
-  EXPECT_THAT(syntax_error("scheme = false_friend\n"), HasSubstr("stands in quotes: \"false_friend\""));
+              AllOf(StartsWith("case.toml:2:10: not valid TOML: "), HasSubstr("a text needs quotes: \"gimp\"")));
+  EXPECT_THAT(syntax_error("scheme = false_friend\n"), HasSubstr("needs quotes: \"false_friend\""));
   EXPECT_THAT(syntax_error("schemes = [\"gimp\", cpdi]\n"), HasSubstr("case.toml:1:20: "));
-  EXPECT_THAT(syntax_error("schemes = [gimp, cpdi]\n"), HasSubstr("a text stands in quotes: \"gimp\""));
-  EXPECT_THAT(syntax_error("width = 1.5 mm\n"), HasSubstr("a number with a unit stands in quotes: \"1.5 mm\""));
-  EXPECT_THAT(syntax_error("width = 1.5mm\n"), HasSubstr("a number with a unit stands in quotes: \"1.5mm\""));
+  EXPECT_THAT(syntax_error("schemes = [gimp, cpdi]\n"), HasSubstr("a text needs quotes: \"gimp\""));
+  EXPECT_THAT(syntax_error("width = 1.5 mm\n"), HasSubstr("a number with a unit needs quotes: \"1.5 mm\""));
+  EXPECT_THAT(syntax_error("width = 1.5mm\n"), HasSubstr("a number with a unit needs quotes: \"1.5mm\""));
   EXPECT_THAT(syntax_error("width = 1,5\n"), HasSubstr("a point, not a comma"));
-  EXPECT_THAT(syntax_error("vtk = True\n"), HasSubstr("in small letters: true"));
+  EXPECT_THAT(syntax_error("vtk = True\n"), HasSubstr("in lower case: true"));
 }
 
 TEST_F(CaseFiles, CountsTheTablesOfAnArrayUpToTheFirstThatIsMissing) {
