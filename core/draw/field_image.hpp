@@ -21,7 +21,7 @@ struct FieldColors {
 /// Part of the plane that contains the domains of all frames, with a margin [m]; y upwards: top > bottom.
 Box view_of(const std::vector<const Frame*>& frames);
 
-/// The largest round length, 1, 2 or 5 times a power of ten, that does not exceed `most` [m].
+/// The largest round length, 1, 2 or 5 times a power of ten, that does not exceed `maximum` [m].
 double round_length(double maximum);
 
 /// "20 mm" from a length [m], in the unit that makes the number short.
