@@ -10,7 +10,7 @@ Keys DruckerPrager::parameters() {
                   "compression",
                   "",
                   {},
-                  "where the cone meets Mohr and Coulomb's surface: triaxial compression, triaxial extension, or flow "
+                  "where the cone meets the Mohr-Coulomb surface: triaxial compression, triaxial extension, or flow "
                   "in plane strain",
                   {"compression", "extension", "plane_strain"}});
   return keys;

@@ -5,10 +5,10 @@
 
 namespace riedel {
 
-/// Linear elasticity with the cone of Drucker and Prager, matched to Mohr and Coulomb's surface in one of three ways;
+/// Linear elasticity with the cone of Drucker and Prager, matched to the Mohr–Coulomb surface in one of three ways;
 /// non-associated flow, linear softening and a cut-off of the mean tension. Exact return to cone and apex: Drucker &
 /// Prager (1952), Quart. Appl. Math. 10; de Souza Neto, Perić & Owen (2008), *Computational Methods for Plasticity*,
-/// section 8.3. Numbers in brackets are those of docs/theory/drucker_prager.md.
+/// section 8.3. Equation numbers are those of docs/theory/drucker_prager.md.
 class DruckerPrager final : public ElastoplasticLaw<DruckerPrager> {
 public:
   static constexpr std::string_view name = "drucker_prager";

@@ -6,14 +6,14 @@ namespace riedel {
 
 /// Gudehus–Bauer hypoplasticity for a skeleton of sand grains.
 /// Gudehus (1996) and Bauer (1996), Soils and Foundations 36(1); equations (A1)–(A10) of Krzyżanowski, Wójcik &
-/// Tejchman (2020), with h_i of Bauer (1996), which that paper leaves out. Local and non-local: the N-term takes the
-/// averaged norm d* where the case gives a length, ‖D‖ otherwise.
+/// Tejchman (2020), with h_i of Bauer (1996), which that paper omits. Local and non-local: the N-term uses the averaged
+/// norm d* if the case gives a length, otherwise ‖D‖.
 class GudehusBauer final : public RateLaw<GudehusBauer, 1> {
 public:
   static constexpr std::string_view name = "gudehus_bauer";
   static constexpr bool frictional = true;
   static Keys parameters();
-  /// @param given a value for each of `parameters()`; throws InputError for one that the law does not admit
+  /// @param given a value for each of `parameters()`; throws InputError for an inadmissible value
   explicit GudehusBauer(const Values& given);
 
   /// @param sigma Cauchy stress, tension positive [Pa]   @param D rate of deformation [1/s]   @param d ‖D‖ or d* [1/s]
@@ -43,7 +43,7 @@ private:
                                      separation_variable()};
 };
 
-/// (A5) over its common denominator: x³ cos 3θ = −√6 tr σ̂*³, x = ‖σ̂*‖.
+/// (A5) with a common denominator: x³ cos 3θ = −√6 tr σ̂*³, x = ‖σ̂*‖.
 template <class Real>
 Real GudehusBauer::a1(const Sym<Real>& s_dev) const {
   const Real squared = dot(s_dev, s_dev), x = sqrt(squared), x_cubed = squared * x;

@@ -4,22 +4,22 @@
 
 namespace riedel {
 
-/// Parameters of the extension, beside those of the law.
+/// Parameters of the extension, in addition to those of the law.
 struct IntergranularStrainParameters {
-  double m_R, m_T;    ///< stiffness after a reversal by 180° and a turn by 90°, over that of monotonic loading [-]
+  double m_R, m_T;    ///< stiffness after a reversal by 180° and a turn by 90°, relative to monotonic loading [-]
   double R;           ///< radius of the elastic range in the space of strains [-]
   double beta_R, chi; ///< exponents of the evolution of h, and of the stiffness [-]
 
   static constexpr std::string_view chosen = "intergranular_strain"; ///< the key that switches the extension on
   static Keys keys();
-  /// Throws InputError, in the name of the law, for values that are not admitted.
+  /// Throws InputError, in the name of the law, for inadmissible values.
   IntergranularStrainParameters(const Values& given, std::string_view law);
 };
 
-/// Any hypoplastic law, L:D + N d, with intergranular strain: a tensor h that remembers the last strains, so that a
-/// change of direction makes the skeleton stiff for a while. A. Niemunis & I. Herle (1997), Mechanics of
-/// Cohesive-Frictional Materials 2, 279–299; numbers (1) to (7) are those of docs/theory/intergranular_strain.md.
-/// No norm of D is left in the extended law, so nothing of it can be averaged.
+/// Any hypoplastic law, L:D + N d, with intergranular strain: a tensor h that stores the recent strain, so that the
+/// skeleton is stiffer for a while after a change of direction. A. Niemunis & I. Herle (1997), Mechanics of
+/// Cohesive-Frictional Materials 2, 279–299; equations (1) to (7) are those of docs/theory/intergranular_strain.md. The
+/// extended law contains no norm of D, so nothing in it can be averaged.
 template <class Base>
 class IntergranularStrain final : public RateLaw<IntergranularStrain<Base>, 7> {
 public:
@@ -34,12 +34,12 @@ public:
   /// @param sigma Cauchy stress, tension positive [Pa]   @param D rate of deformation [1/s]
   template <class Real>
   Rate<Real, 7> rate(const Sym<Real>& sigma, const State<Real>& state, const Sym<Real>& D, Real) const;
-  /// ‖Δh‖/R and |Δe|/e, whichever is greater
+  /// ‖Δh‖/R or |Δe|/e, whichever is larger
   template <class Real>
   Real state_change(const State<Real>& from, const State<Real>& to) const {
     return max(norm(strain(to) - strain(from)) * Real(1.0 / with_.R), abs(to[0] - from[0]) / from[0]);
   }
-  /// Grains that part forget.
+  /// Grains that lose contact lose their intergranular strain.
   void lose_contact(State<double>& state) const { std::fill(state.begin() + 1, state.end(), 0.0); }
 
   [[nodiscard]] std::span<const StateVariable> states() const override { return states_; }
@@ -61,12 +61,12 @@ private:
   IntergranularStrainParameters with_;
   std::vector<StateVariable> states_{
       {"void_ratio", "-", "volume of the voids over volume of the grains"},
-      {"intergranular_strain", "-", "strain of the contacts that the skeleton remembers", 6},
+      {"intergranular_strain", "-", "intergranular strain h, the recent strain of the contacts", 6},
       IntergranularStrain::separation_variable()};
 };
 
-/// The direction of h = 0 is undefined and does not matter: it stands beside ρ^χ and ρ^β_R. Round-off may carry ρ a
-/// little above 1; (5) brings it back, and the stiffness takes it for 1.
+/// The direction of h = 0 is undefined but irrelevant: it is multiplied by ρ^χ and ρ^β_R. Round-off may raise ρ
+/// slightly above 1; (5) brings it back, and the stiffness uses 1.
 template <class Base>
 template <class Real>
 Rate<Real, 7> IntergranularStrain<Base>::rate(const Sym<Real>& sigma, const State<Real>& state, const Sym<Real>& D,

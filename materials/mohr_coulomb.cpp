@@ -13,7 +13,7 @@ MohrCoulomb::MohrCoulomb(const Values& given) : ElastoplasticLaw(ElastoplasticCo
   check_bounds(parameters(), given, name);
 }
 
-/// Stress that a unit of flow on the face of two principal stresses takes away, C r.
+/// Stress released by a unit of flow on the face of two principal stresses, C r.
 Vec<3> MohrCoulomb::flow(int maximum, int minimum, const Strength<double>& s) const {
   Vec<3> relaxed = Vec<3>::Constant(solid().lambda * s.sin_psi);
   relaxed[maximum] += solid().mu * (1.0 + s.sin_psi);
@@ -21,7 +21,7 @@ Vec<3> MohrCoulomb::flow(int maximum, int minimum, const Strength<double>& s) co
   return relaxed; // (4)
 }
 
-/// To the nearest of face, edges and apex that the flow rule leads to; the cut-off does not count here.
+/// Return to the nearest of face, edges and apex according to the flow rule; the cut-off is not considered here.
 Vec<3> MohrCoulomb::returned_in_shear(const Vec<3>& trial, const Strength<double>& s) const {
   const double f = shear(trial[0], trial[2], s);
   if (f <= 0.0) return trial;
@@ -42,8 +42,8 @@ Vec<3> MohrCoulomb::returned_in_shear(const Vec<3>& trial, const Strength<double
   return Vec<3>::Constant(s.cohesive / s.sin_phi); // (9)
 }
 
-/// To the edge where σ_2 has become equal to the principal stress `twin`.
-/// @param a, b what a unit of flow on one face takes from its own yield function and from that of the other face
+/// Return to the edge where σ_2 has become equal to the principal stress `twin`.
+/// @param a, b decrease of a face's own yield function and of the other face's per unit of flow on it
 Vec<3> MohrCoulomb::returned_to_edge(const Vec<3>& trial, const Strength<double>& s, int twin, double a,
                                      double b) const {
   const bool least_is_shared = twin == 0;
@@ -52,11 +52,11 @@ Vec<3> MohrCoulomb::returned_to_edge(const Vec<3>& trial, const Strength<double>
   const double per = 1.0 / ((a - b) * (a + b));
   Vec<3> edge = trial - per * (a * f_1 - b * f_2) * flow(0, 2, s) -
                 per * (a * f_2 - b * f_1) * (least_is_shared ? flow(1, 2, s) : flow(0, 1, s)); // (7)
-  edge[1] = edge[twin] = 0.5 * (edge[1] + edge[twin]);                                         // but for round-off
+  edge[1] = edge[twin] = 0.5 * (edge[1] + edge[twin]);                                         // removes round-off
   return edge;
 }
 
-/// Associated: each principal stress above the cut-off is brought down to it.
+/// Associated flow: each principal stress above the cut-off is reduced to it.
 Vec<3> MohrCoulomb::returned_in_tension(const Vec<3>& trial) const {
   const double T = strength_.tension_cutoff(), lambda = solid().lambda;
   Vec<3> sigma = trial;
@@ -69,7 +69,7 @@ Vec<3> MohrCoulomb::returned_in_tension(const Vec<3>& trial) const {
   return {T, T, std::min(T, trial[2] - lambda * lost)};
 }
 
-/// Where face and cut-off meet: σ_1 and σ_3 are given, and σ_2 goes no farther than to one of them.
+/// At the intersection of face and cut-off: σ_1 and σ_3 are given, and σ_2 stays between them.
 Vec<3> MohrCoulomb::returned_to_both(const Vec<3>& trial, const Strength<double>& s) const {
   const double T = strength_.tension_cutoff(), lambda = solid().lambda, mu = solid().mu;
   const double minimum = ((1.0 + s.sin_phi) * T - 2.0 * s.cohesive) / (1.0 - s.sin_phi); // (11)

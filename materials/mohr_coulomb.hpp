@@ -5,10 +5,10 @@
 
 namespace riedel {
 
-/// Linear elasticity with the yield surface of Mohr and Coulomb, non-associated flow, linear softening and a tension
-/// cut-off. Exact return to faces, edges and apex in principal stresses: de Souza Neto, Perić & Owen (2008),
-/// *Computational Methods for Plasticity*, section 8.2; Clausen, Damkilde & Andersen (2006), Int. J. Numer. Meth. Engng
-/// 66. Numbers in brackets are those of docs/theory/mohr_coulomb.md.
+/// Linear elasticity with the Mohr–Coulomb yield surface, non-associated flow, linear softening and a tension cut-off.
+/// Exact return to faces, edges and apex in principal stresses: de Souza Neto, Perić & Owen (2008), *Computational
+/// Methods for Plasticity*, section 8.2; Clausen, Damkilde & Andersen (2006), Int. J. Numer. Meth. Engng 66. Equation
+/// numbers are those of docs/theory/mohr_coulomb.md.
 class MohrCoulomb final : public ElastoplasticLaw<MohrCoulomb> {
 public:
   static constexpr std::string_view name = "mohr_coulomb";

@@ -21,7 +21,7 @@ void add(Materials& materials, std::string summary, std::string source) {
                 [](const Values& given) { return std::make_unique<Law>(given); });
 }
 
-/// A hypoplastic law, with intergranular strain where the case asks for it.
+/// A hypoplastic law, with intergranular strain if the case requests it.
 template <class Law>
 void add_hypoplastic(Materials& materials, std::string summary, std::string source) {
   using Extension = IntergranularStrainParameters;
@@ -33,7 +33,7 @@ void add_hypoplastic(Materials& materials, std::string summary, std::string sour
                  .source = std::move(source),
                  .parameters = std::move(parameters)},
                 [](const Values& given) -> std::unique_ptr<Material> {
-                  const Extension checked(given, Law::name); // a wrong value is not let pass where it has no effect
+                  const Extension checked(given, Law::name); // a wrong value is an error even if it has no effect
                   if (given.flag(Extension::chosen)) return std::make_unique<IntergranularStrain<Law>>(given);
                   return std::make_unique<Law>(given);
                 });
@@ -51,7 +51,7 @@ void register_materials(Materials& materials) {
   add<NeoHookean>(materials, "elasticity at finite strain, from an energy", "Simo & Pister (1984)");
   add<MohrCoulomb>(materials, "elastic, with friction and cohesion; softening local or by averaged plastic_strain",
                    "Clausen, Damkilde & Andersen (2006), de Souza Neto, Perić & Owen (2008)");
-  add<DruckerPrager>(materials, "the same on a smooth cone", "Drucker & Prager (1952)");
+  add<DruckerPrager>(materials, "as mohr_coulomb, on a smooth cone", "Drucker & Prager (1952)");
   add<Umat>(materials, "a user's subroutine UMAT, written for Abaqus, in a shared library", "");
 }
 

@@ -4,7 +4,7 @@
 
 namespace riedel {
 
-/// Adds the built-in laws, by hand: static registrars would be dropped from archives.
+/// Adds the built-in laws explicitly: static registrars would be dropped from archives.
 void register_materials(Materials& materials);
 
 } // namespace riedel

@@ -8,10 +8,10 @@ namespace riedel {
 
 namespace {
 
-constexpr int max_cuts = 1000; ///< parts of one step, and times that it is cut
+constexpr int max_cuts = 1000; ///< maximum number of parts of one step, and of its divisions
 
-/// Greatest of nine longitudinal stiffnesses n n : C : n n, along axes and the diagonals between two of them [Pa]; not
-/// a number where one of the entries is none.
+/// Largest of nine longitudinal stiffnesses n n : C : n n, along axes and the diagonals between two of them [Pa]; NaN
+/// if one of the entries is NaN.
 double longitudinal(const std::array<double, 36>& stiffness) {
   const auto C = [&](int i, int j) { return 0.5 * (stiffness[j * 6 + i] + stiffness[i * 6 + j]); };
   double maximum = 0.0;
@@ -26,7 +26,7 @@ double longitudinal(const std::array<double, 36>& stiffness) {
   return maximum;
 }
 
-/// Why a point fails with this answer; empty: it does not.
+/// Why a point fails with this result; empty: it does not fail.
 std::string_view complaint(UmatEnd end, const UmatPoint& answer) {
   if (end == UmatEnd::xit) return "the UMAT called XIT";
   if (end == UmatEnd::threw) return "the UMAT threw an exception";
@@ -46,7 +46,7 @@ Keys Umat::parameters() {
   const Bounds any{};
   const std::vector<double> none;
   return {{"library", std::string(), "", any, "shared library with the UMAT"},
-          {"symbol", std::string("umat_"), "", any, "its name in the library; umat_ is UMAT of gfortran and ifx"},
+          {"symbol", std::string("umat_"), "", any, "its name in the library; gfortran and ifx name UMAT umat_"},
           {"name", std::string("MATERIAL"), "", any, "CMNAME"},
           {"parameters", none, "-", any, "PROPS, in the UMAT's units", {}, true},
           {"stress_unit",
@@ -57,12 +57,12 @@ Keys Umat::parameters() {
            {"Pa", "kPa", "MPa"}},
           {"state", none, "-", any, "STATEV at the start, in the UMAT's units", {}, true},
           {"state_names", std::string(), "", any,
-           "names of STATEV in their order, such as \"void_ratio, h:strain, flag\": void_ratio takes the specimen's; "
-           ":stress and :strain stand for six numbers that turn with the material, the latter with engineering shear"},
+           "names of STATEV in order, such as \"void_ratio, h:strain, flag\": void_ratio takes the specimen's; :stress "
+           "and :strain stand for six numbers that rotate with the material, the latter with engineering shear"},
           {"thread_safe", false, "", any, "whether threads may share the library; otherwise each has a copy"},
-          {"takes_average", false, "", any, "hand ‖D‖ Δt, or its non-local average, over in DPRED(1)"},
+          {"takes_average", false, "", any, "pass ‖D‖ Δt, or its non-local average, in DPRED(1)"},
           {"density", 2000.0, "kg/m3", more_than(0), "bulk density, for a UMAT without a void_ratio"},
-          {"grain_density", 2650.0, "kg/m3", more_than(0), "density of the grains, for one with it"},
+          {"grain_density", 2650.0, "kg/m3", more_than(0), "density of the grains, for a UMAT with a void_ratio"},
           {"length", 1.0, "m", more_than(0), "CELENT"}};
 }
 
@@ -105,8 +105,7 @@ UmatEnd Umat::call(UmatPoint& point, const UmatLibrary::Lease& umat) const {
                  exact_text(point.call.time[1]) + " s");
 }
 
-/// Takes the step whole, or in parts where the UMAT asks for that by PNEWDT < 1. @return why it failed; empty: it did
-/// not
+/// Takes the step whole, or in parts if the UMAT requests that by PNEWDT < 1. @return why it failed; empty: it did not
 std::string_view Umat::advance(UmatPoint& point, const UmatLibrary::Lease& umat, MaterialReport& report) const {
   UmatPoint answer = point;
   const UmatEnd end = call(answer, umat);
@@ -125,7 +124,7 @@ std::string_view Umat::advance_in_parts(UmatPoint& point, double share, const Um
                                         MaterialReport& report) const {
   UmatParts parts(point, states_);
   for (int tries = 0; parts.done() < 1.0 - 1e-12; ++tries) {
-    if (tries == max_cuts) return "the UMAT goes on asking for shorter steps (PNEWDT)";
+    if (tries == max_cuts) return "the UMAT keeps asking for shorter steps (PNEWDT)";
     UmatPoint part = parts.next(share);
     const std::array<double, 6> increment = part.call.strain_increment;
     const UmatEnd end = call(part, umat);
@@ -181,7 +180,7 @@ std::array<double, 36> Umat::stiffness(const MaterialBatch& batch, Index p) cons
 
 std::array<double, 36> Umat::stiffness(const UmatLibrary::Lease& umat, const MaterialBatch& batch, Index p) const {
   UmatPoint point = point_of(batch, p);
-  if (point.call.time_step == 0.0) { // many divide by it
+  if (point.call.time_step == 0.0) { // many UMATs divide by it
     point.call.time_step = 1.0;
     point.call.strain_increment.fill(0.0);
   }

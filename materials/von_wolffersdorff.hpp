@@ -4,16 +4,15 @@
 
 namespace riedel {
 
-/// Hypoplasticity of von Wolffersdorff for a skeleton of sand grains: critical states on the surface of Matsuoka and
-/// Nakai. P.-A. von Wolffersdorff (1996), Mechanics of Cohesive-Frictional Materials 1, 251–271; numbers (1) to (9) are
-/// those of docs/theory/von_wolffersdorff.md. The N-term takes the averaged norm d* where the case gives a length, ‖D‖
-/// otherwise.
+/// Hypoplasticity of von Wolffersdorff for a skeleton of sand grains, with critical states on the surface of Matsuoka
+/// and Nakai. P.-A. von Wolffersdorff (1996), Mechanics of Cohesive-Frictional Materials 1, 251–271; equations (1) to
+/// (9) are those of docs/theory/von_wolffersdorff.md. The N-term uses the averaged norm d*, without a length ‖D‖.
 class VonWolffersdorff final : public RateLaw<VonWolffersdorff, 1> {
 public:
   static constexpr std::string_view name = "von_wolffersdorff";
   static constexpr bool frictional = true;
   static Keys parameters();
-  /// @param given a value for each of `parameters()`; throws InputError for one that the law does not admit
+  /// @param given a value for each of `parameters()`; throws InputError for an inadmissible value
   explicit VonWolffersdorff(const Values& given);
 
   /// @param sigma Cauchy stress, tension positive [Pa]   @param D rate of deformation [1/s]   @param d ‖D‖ or d* [1/s]
@@ -56,7 +55,7 @@ Real VonWolffersdorff::F(const Sym<Real>& s_dev, const Real& squared) const {
   return sqrt(Real(3.0 / 8.0) * squared + share) - Real(std::numbers::sqrt3 / (2.0 * std::numbers::sqrt2)) * x;
 }
 
-/// The product f_b f_e of (7) and (8) is f_s of Gudehus and Bauer over another bracket, and f_d is the same.
+/// The product f_b f_e of (7) and (8) is f_s of Gudehus and Bauer with another bracket, and f_d is the same.
 template <class Real>
 HypoplasticParts<Real> VonWolffersdorff::parts(const Sym<Real>& sigma, const Real& e) const {
   const Real P = -trace(sigma);

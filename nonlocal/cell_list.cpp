@@ -32,12 +32,12 @@ void CellList<Dim>::sort_into_bins(const Columns& positions) {
     }
   });
   for (const std::size_t bin : bins_) ++first_[bin];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin()); // now each bin's end, to be filled backwards from
+  std::partial_sum(first_.begin(), first_.end(), first_.begin()); // now each bin's end; bins are filled backwards
   sorted_.resize(static_cast<std::size_t>(points));
   for (Index p = points; p-- > 0;) sorted_[--first_[bins_[p]]] = p;
 }
 
-/// Beyond a thousand million cells from the first point all of space is one cell, and numbers stay exact.
+/// Beyond 10⁹ cells from the first point, all of space is one cell, and numbers stay exact.
 template <int Dim>
 typename CellList<Dim>::Cell CellList<Dim>::cell_at(const Vec<Dim>& place) const {
   Cell cell;
@@ -46,7 +46,7 @@ typename CellList<Dim>::Cell CellList<Dim>::cell_at(const Vec<Dim>& place) const
   return cell;
 }
 
-/// Neighbouring cells along the first axis get neighbouring bins; the other axes are scattered by large odd numbers.
+/// Neighbouring cells along the first axis get neighbouring bins; the other axes are scattered by large odd factors.
 template <int Dim>
 std::size_t CellList<Dim>::bin_of(const Cell& cell) const {
   constexpr std::array<std::uint64_t, 3> factor = {1, 0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F};
@@ -55,7 +55,7 @@ std::size_t CellList<Dim>::bin_of(const Cell& cell) const {
   return hash & last_bin_;
 }
 
-/// Two cells may share a bin, which is then read twice: fill_rows does not mind.
+/// Two cells may share a bin, which is then read twice: fill_rows handles that.
 template <int Dim>
 void CellList<Dim>::append_cells(const Cell& lower, const Cell& upper, std::vector<Index>& list) const {
   Cell cell = lower;

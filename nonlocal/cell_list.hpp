@@ -1,12 +1,11 @@
-/// Neighbours by bins: points are sorted into square cells half a radius wide and look into those around them.
+/// Neighbours by bins: points are sorted into square cells half a radius wide; those around a point are searched.
 #pragma once
 
 #include "core/interface/neighbour_search.hpp"
 
 namespace riedel {
 
-/// Cells are hashed into about as many bins as there are points, so that memory does not grow with the space between
-/// them: a few points far away cost nothing.
+/// Cells are hashed into about as many bins as there are points, so that memory does not grow with their distances.
 template <int Dim>
 class CellList final : public NeighbourSearch<Dim> {
 public:
@@ -22,10 +21,10 @@ private:
 
   double side_ = 0.0;              ///< of a cell [m]
   Vec<Dim> origin_;                ///< corner of cell (0, 0[, 0]) [m]
-  std::size_t last_bin_ = 0;       ///< bins less one; the bins are a power of two
+  std::size_t last_bin_ = 0;       ///< number of bins minus one; the number is a power of two
   std::vector<std::size_t> first_; ///< of each bin, in `sorted_`
   std::vector<std::size_t> bins_;  ///< of each point
-  std::vector<Index> sorted_;      ///< points by bin, rising within one
+  std::vector<Index> sorted_;      ///< points by bin, ascending within a bin
 };
 
 } // namespace riedel

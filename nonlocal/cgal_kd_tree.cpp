@@ -30,7 +30,7 @@ struct Cgal<3> {
   static Point point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
 };
 
-/// Tells the tree, which stores numbers of points, where a point lies.
+/// Gives the tree, which stores indices of points, the position of a point.
 template <class Point>
 struct PlaceOf {
   using key_type = Index;
@@ -63,7 +63,7 @@ void CgalKdTree<Dim>::find(const Columns& positions, double radius, NeighbourRow
   }
   const Traits traits(PlaceOf<Point>{places.data()});
   Tree tree(numbers.begin(), numbers.end(), typename Tree::Splitter(), traits);
-  if (!numbers.empty()) tree.build(); // now, since the queries below run at the same time
+  if (!numbers.empty()) tree.build(); // before the queries below, which run in parallel
 
   fill_rows<Dim>(positions, radius, rows, [&](const Surroundings<Dim>& around, std::vector<Index>& list) {
     const Point centre = Cgal<Dim>::point(around.centre);

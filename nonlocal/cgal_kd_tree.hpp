@@ -5,14 +5,14 @@
 
 namespace riedel {
 
-/// Builds the tree anew at each call: for spread-out or strongly uneven clouds of points.
+/// Rebuilds the tree at each call: for scattered or very unevenly distributed points.
 template <int Dim>
 class CgalKdTree final : public NeighbourSearch<Dim> {
 public:
   void find(const Columns& positions, double radius, NeighbourRows& rows) override;
 };
 
-/// Adds it, or, in a build without CGAL, tells how to get it.
+/// Adds it, or, in a build without CGAL, a message on how to get it.
 template <int Dim>
 void add_cgal_kd_tree(NeighbourSearches<Dim>& searches);
 

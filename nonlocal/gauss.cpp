@@ -22,7 +22,7 @@ void narrow(const Pack& from, float* to) {
   for (int i = 0; i < width; ++i) to[i] = static_cast<float>(wide[i]);
 }
 
-/// The lanes in a fixed order, two halves at a time.
+/// Sums the lanes in a fixed order, two halves at a time.
 double sum_of(const Pack& a) {
   std::array<double, width> x;
   a.store(x.data());
@@ -88,14 +88,14 @@ void GaussAverager<Dim>::search(const Columns& positions) {
   ++searches_;
   searched_at_ = positions;
   points_ = positions.size();
-  load_.resize(points_ + width); // zeros at the end, since runs may reach beyond the last point
+  load_.resize(points_ + width); // zeros at the end, since runs may extend beyond the last point
   places_.resize(points_ + width);
   for (int a = 0; a < Dim; ++a) std::fill_n(places_[a] + points_, width, std::numeric_limits<double>::infinity());
   boxes_.resize(static_cast<std::size_t>(blocks_of(points_)));
   lay_runs(rows);
 }
 
-/// From the rows of a team's points, both rising, to runs: each starts at the first neighbour not yet covered.
+/// Merges the rows of a team's points, both ascending, to runs: each starts at the first neighbour not yet covered.
 template <int Dim>
 void GaussAverager<Dim>::append_runs(const NeighbourRows& rows, Index t, std::vector<Index>& runs) const {
   constexpr Index none = std::numeric_limits<Index>::max();
@@ -128,7 +128,7 @@ void GaussAverager<Dim>::lay_runs(const NeighbourRows& rows) {
     }
   });
   std::partial_sum(first_run_.begin(), first_run_.end(), first_run_.begin());
-  run_.clear(); // or its memory might be doubled
+  run_.clear(); // otherwise its memory might be doubled
   run_.resize(static_cast<std::size_t>(first_run_.back()));
   weight_.clear();
   weight_.resize(run_.size() * team * width);
@@ -159,7 +159,7 @@ void GaussAverager<Dim>::evaluate_weights(Range teams) {
     }
 }
 
-/// Has the way from any point to any other changed by more than `distance` [m]? Also when a position is not a number.
+/// Whether the vector between any two points has changed by more than `distance` [m], or a position is not a number.
 template <int Dim>
 bool GaussAverager<Dim>::shifted(const Columns& positions, const Columns& since, double distance) {
   if (points_ == 0) return false;

@@ -8,23 +8,22 @@
 
 namespace riedel {
 
-/// Averages with Gauss's weights. Krzyżanowski et al. (2020), eqs. (1) and (2).
+/// Averages with Gaussian weights. Krzyżanowski et al. (2020), eqs. (1) and (2).
 ///
-/// Points near each other are near in memory too, so the neighbours of two consecutive points, a team, are covered by
-/// runs of eight consecutive points that are summed as packs; a point in a run which is no neighbour has a weight of
-/// exactly zero. Weights are floats, the same above and below the fraction: that costs 3e-7 of the field's range at
-/// most.
+/// Points near each other are also close in memory, so the neighbours of two consecutive points, a team, are covered by
+/// runs of eight consecutive points that are summed as packs; a point in a run that is not a neighbour has a weight of
+/// exactly zero. Weights are floats, the same in numerator and denominator: this costs up to 3e-7 of the field's range.
 ///
-/// Neighbours are searched for within a skin around 3 l_c, and again only when two points may have come closer by the
-/// skin. The weights are kept until the distance of a pair may have changed by 2 `weights_last` l_c, by which the
-/// average is wrong by less than 5 weights_last times the largest difference of the field within 3 l_c (see
-/// docs/theory/nonlocal.md). Volumes and the field are always the present ones. Memory: 12 bytes per neighbour at most
-/// while points are numbered row by row of cells.
+/// Neighbours are searched for within a skin around 3 l_c, and again only when two points may have approached each
+/// other by the skin. The weights are kept until the distance of a pair may have changed by 2 `weights_last` l_c, by
+/// which the error of the average is less than 5 weights_last times the largest difference of the field within 3 l_c
+/// (see docs/theory/nonlocal.md). Volumes and the field are always the present ones. Memory: at most 12 bytes per
+/// neighbour while points are numbered row by row of cells.
 template <int Dim>
 class GaussAverager final : public NonlocalAverager<Dim> {
 public:
-  static constexpr double skin = 0.1;          ///< searched for beyond 3 l_c, in l_c [-]
-  static constexpr double weights_last = 2e-3; ///< half of what distances change by while weights last, in l_c [-]
+  static constexpr double skin = 0.1;          ///< width beyond 3 l_c, in l_c [-]
+  static constexpr double weights_last = 2e-3; ///< half the change of distances for which weights are kept, in l_c [-]
 
   /// @param length l_c [m], > 0
   GaussAverager(double length, std::unique_ptr<NeighbourSearch<Dim>> search);
@@ -51,8 +50,8 @@ private:
   Index points_ = 0;
   std::vector<std::int64_t> first_run_; ///< of each team
   std::vector<Index> run_;              ///< the first of the eight points of each run
-  AlignedVector<float> weight_;         ///< ω of each run: eight for each point of the team
-  Columns load_{2};                     ///< V_q [m³ or m²] and V_q field(q); like places_ with eight more at the end
+  AlignedVector<float> weight_;         ///< ω of each run: eight per point of the team
+  Columns load_{2};                     ///< V_q [m³ or m²] and V_q field(q); like places_, with eight more at the end
   Columns places_{Dim};                 ///< positions when weights were evaluated [m]
   Columns searched_at_{Dim};            ///< positions when neighbours were searched for [m]
   std::vector<BoundingBox<Dim>> boxes_; ///< working space of `shifted`

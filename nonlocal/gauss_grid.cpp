@@ -9,16 +9,16 @@ namespace riedel {
 
 namespace {
 
-/// Variance along an axis of Gauss's weight with its cut, in l_c² [-]: ½ (1 − 3^Dim exp(−9) / (Dim/2 γ(Dim/2, 9))).
+/// Variance along an axis of the cut-off Gaussian weight, in l_c² [-]: ½ (1 − 3^Dim exp(−9) / (Dim/2 γ(Dim/2, 9))).
 template <int Dim>
 constexpr double variance = 0.5 * (1.0 - (Dim == 2 ? 1.1108e-3 : 2.5077e-3));
 
-/// Weights of the nodes −reach … reach of a filter of the given variance, in spacings²: Gauss's curve, a little widened
-/// since it is cut.
+/// Weights of the nodes −reach … reach of a filter of the given variance, in spacings²: a Gaussian, slightly widened
+/// because it is cut off.
 std::vector<double> gauss_taps(double variance_of_filter, Index reach) {
   std::vector<double> taps(static_cast<std::size_t>(2 * reach + 1));
   double parameter = variance_of_filter;
-  for (int iteration = 0; iteration < 10; ++iteration) { // the error falls by two digits or more in each
+  for (int iteration = 0; iteration < 10; ++iteration) { // each reduces the error by at least two digits
     double sum = 0.0, squares = 0.0;
     for (Index k = -reach; k <= reach; ++k) {
       const double g = taps[k + reach] = std::exp(-0.5 * k * k / parameter);
@@ -31,7 +31,7 @@ std::vector<double> gauss_taps(double variance_of_filter, Index reach) {
   return taps;
 }
 
-/// A few packs of out(i) = Σ_k g_k in(i + k stride), k = 0 … last.
+/// Computes a few packs of out(i) = Σ_k g_k in(i + k stride), k = 0 … last.
 template <int packs>
 void smooth_packs(const double* in, std::ptrdiff_t stride, const double* taps, Index last, double* out) {
   std::array<Pack, packs> sum;
@@ -59,7 +59,7 @@ void for_each_row(const auto& N, Index i, const Counts<Dim>& stride, auto* base,
 
 template <int Dim>
 GaussGridAverager<Dim>::GaussGridAverager(double length, double spacing) : spacing_(spacing * length) {
-  const double of_filter = variance<Dim> / square(spacing) - 0.5; // [Δ²]; each of the two splines brings a quarter
+  const double of_filter = variance<Dim> / square(spacing) - 0.5; // [Δ²]; each of the two splines adds a quarter
   reach_ = static_cast<Index>(std::ceil(3.5 * std::sqrt(of_filter)));
   margin_ = (reach_ + 3) / 4 * 4; // so that rows start on cache lines
   taps_ = gauss_taps(of_filter, reach_);
@@ -77,7 +77,8 @@ void GaussGridAverager<Dim>::average(const double* volumes, const double* field,
   if (points_ == 0) return;
   const Index layer = stride_[Dim - 1], layers = count_[Dim - 1];
   parallel_for(layers, [&](Index l) { std::fill_n(nodes(0) + std::ptrdiff_t{l} * layer, layer, Load(0.0, 0.0)); });
-  // A strip's points reach into the next strip. Every other one, then those between: no two at a time share a node.
+  // A strip's points reach into the next strip. Every other strip is processed, then those between: no two at a time
+  // share a node.
   const Index strips = (lead_ + layers + strip - 1) / strip;
   parallel_for((strips + 1) / 2, [&](Index s) { spread(2 * s, volumes, field); });
   parallel_for(strips / 2, [&](Index s) { spread(2 * s + 1, volumes, field); });
@@ -85,7 +86,7 @@ void GaussGridAverager<Dim>::average(const double* volumes, const double* field,
   for_each_block(points_, [&](Range block) { read(nodes(Dim % 2), block, averaged); });
 }
 
-/// The node next to a place, in spacings.
+/// The node nearest to a position, in spacings.
 template <int Dim>
 Vec<Dim> GaussGridAverager<Dim>::node_at(const Vec<Dim>& place) const {
   return (place.array() / spacing_ + 0.5).floor();
@@ -99,7 +100,7 @@ bool GaussGridAverager<Dim>::holds(const BoundingBox<Dim>& box) const {
   return true;
 }
 
-/// Around the points, with one more node on each side, so that points at rest do not leave it by rounding.
+/// Covers the points, with one more node on each side, so that points at rest do not leave it by round-off.
 template <int Dim>
 void GaussGridAverager<Dim>::lay_out(const Columns& positions, const BoundingBox<Dim>& box) {
   points_ = 0;
@@ -115,7 +116,7 @@ void GaussGridAverager<Dim>::lay_out(const Columns& positions, const BoundingBox
     stride_[a] = size;
     size *= a == 0 ? (count_[a] + margin_ + 3) / 4 * 4 : count_[a];
   }
-  // Strips are counted from node 0 of all space, the even ones first, so that sums do not depend on the layout.
+  // Strips are counted from node 0 of all space, the even ones first, so that sums do not depend on the grid's extent.
   lead_ = static_cast<Index>(first[Dim - 1] - 2.0 * strip * std::floor(first[Dim - 1] / (2.0 * strip)));
   for (auto& copy : nodes_) copy.assign(static_cast<std::size_t>(size) + 2 * margin_, Load(0.0, 0.0));
   points_ = positions.size();
@@ -125,7 +126,7 @@ void GaussGridAverager<Dim>::lay_out(const Columns& positions, const BoundingBox
   ++layouts_;
 }
 
-/// Names the point that is furthest from the middle of all.
+/// Reports an oversized grid, with the point furthest from the centre of all points.
 template <int Dim>
 void GaussGridAverager<Dim>::refuse(const Columns& positions, double nodes) const {
   const auto place = [&](Index p) {
@@ -142,11 +143,11 @@ void GaussGridAverager<Dim>::refuse(const Columns& positions, double nodes) cons
   text << "gauss_grid would need " << nodes << " nodes, " << spacing_ << " m apart, for " << positions.size()
        << " points, of which point " << furthest << " at (" << place(furthest).transpose().format({6, 0, ", ", ", "})
        << ") m is furthest from the others; allowed are " << nodes_per_point << " per point and " << nodes_more
-       << " more; averager gauss does without a grid";
+       << " more; averager gauss needs no grid";
   throw RunError(text.str());
 }
 
-/// The node next to each point of the block, and how far the point is from it.
+/// The node nearest to each point of the block, and the offset of the point from it.
 template <int Dim>
 void GaussGridAverager<Dim>::place(const Columns& positions, Range block) {
   Range bases{std::numeric_limits<Index>::max(), 0};
@@ -154,7 +155,7 @@ void GaussGridAverager<Dim>::place(const Columns& positions, Range block) {
     Pack base(0.0);
     for (int a = 0; a < Dim; ++a) {
       const Pack x = Pack::load(positions[a] + p) * Pack(1.0 / spacing_), inner = first_[a] + 1.0;
-      const Pack node = min(max(floor(x + Pack(0.5)), inner), inner + Pack(count_[a] - 3)); // no rounding leads out
+      const Pack node = min(max(floor(x + Pack(0.5)), inner), inner + Pack(count_[a] - 3)); // despite round-off
       (x - node).store(offset_[a] + p);
       base += (node - inner) * Pack(stride_[a]);
     }
@@ -168,7 +169,7 @@ void GaussGridAverager<Dim>::place(const Columns& positions, Range block) {
   bases_[block.begin / block_size] = bases;
 }
 
-/// Quadratic B-splines of eight points at the three nodes next to each, along each axis.
+/// Quadratic B-splines of eight points at the three nearest nodes of each, along each axis.
 template <int Dim>
 void GaussGridAverager<Dim>::evaluate(Index p, Splines& N) const {
   for (int a = 0; a < Dim; ++a) {
@@ -179,7 +180,7 @@ void GaussGridAverager<Dim>::evaluate(Index p, Splines& N) const {
   }
 }
 
-/// Spreads the points whose base is in a strip, in the order of their numbers.
+/// Spreads the points whose base is in a strip, in the order of their indices.
 template <int Dim>
 void GaussGridAverager<Dim>::spread(Index number, const double* volumes, const double* field) {
   const Counts<Dim> stride = stride_;
@@ -205,7 +206,7 @@ void GaussGridAverager<Dim>::spread(Index number, const double* volumes, const d
   }
 }
 
-/// Along one axis: to(i) = Σ_k g_k from(i + k), row by row of nodes. Beyond the grid there is nothing.
+/// Along one axis: to(i) = Σ_k g_k from(i + k), row by row of nodes. Beyond the grid all values are zero.
 template <int Dim>
 void GaussGridAverager<Dim>::smooth(int axis, const Load* from, Load* to) const {
   const std::ptrdiff_t stride = 2 * std::ptrdiff_t{stride_[axis]}; // in numbers, two per node
@@ -221,7 +222,7 @@ void GaussGridAverager<Dim>::smooth(int axis, const Load* from, Load* to) const 
     for (; i + 4 * pack_size <= numbers; i += 4 * pack_size)
       smooth_packs<4>(in + i, stride, taps, upper - lower, out + i);
     for (; i < numbers; i += pack_size) smooth_packs<1>(in + i, stride, taps, upper - lower, out + i);
-    for (Index n = count_[0]; 2 * n < numbers; ++n) to[start + n] = Load(0.0, 0.0); // what was smoothed beyond the row
+    for (Index n = count_[0]; 2 * n < numbers; ++n) to[start + n] = Load(0.0, 0.0); // smoothed beyond the row
   });
 }
 

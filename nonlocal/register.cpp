@@ -28,7 +28,7 @@ void register_nonlocal(CatalogueOf<Dim>& catalogue) {
   add_cgal_kd_tree(catalogue.searches);
   catalogue.searches.add({"cell_list", "bins a radius wide, without CGAL", "Hockney & Eastwood (1981)"},
                          make_search<CellList<Dim>>());
-  catalogue.averagers.add({"gauss", "sum over pairs with Gauss's weights, cut at 3 l_c",
+  catalogue.averagers.add({"gauss", "sum over pairs with Gaussian weights, cut off at 3 l_c",
                            "Krzyżanowski, Wójcik & Tejchman (2020), eqs. (1), (2)"},
                           make_averager<GaussAverager<Dim>, NeighbourSearch<Dim>>());
   catalogue.averagers.add({"gauss_grid", "the same through a fine grid, for many neighbours; to 1e-3, without a search",

@@ -1,11 +1,11 @@
-/// What stands in for cgal_kd_tree.cpp in a build without CGAL.
+/// Replaces cgal_kd_tree.cpp in a build without CGAL.
 #include "nonlocal/cgal_kd_tree.hpp"
 
 namespace riedel {
 
 template <int Dim>
 void add_cgal_kd_tree(NeighbourSearches<Dim>& searches) {
-  searches.leave_out("cgal_kd_tree", "takes CGAL, which this build does without: configure Riedel with "
+  searches.leave_out("cgal_kd_tree", "needs CGAL, which this build lacks: configure Riedel with "
                                      "-DRIEDEL_WITH_CGAL=ON (Debian's libcgal-dev)");
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using Factor = ValueGradient<Pack>;
 
-/// Where `there`, c_ghost = 2 c_near − c_far: the ghost's factor goes to the two nodes before it.
+/// If `there`, c_ghost = 2 c_near − c_far: the ghost node's factor is distributed to the two nodes before it.
 void fold(Factor& ghost, Factor& near, Factor& far, const Mask& there) {
   const Pack N = select(there, ghost.value, Pack(0.0)), dN = select(there, ghost.gradient, Pack(0.0));
   ghost = {.value = ghost.value - N, .gradient = ghost.gradient - dN};
@@ -17,7 +17,7 @@ void fold(Factor& ghost, Factor& near, Factor& far, const Mask& there) {
   far = {.value = far.value - N, .gradient = far.gradient - dN};
 }
 
-/// The first or the last of the nodes may stand behind a wall, never two on one side: points are not behind walls.
+/// The first or the last of the nodes may be behind a wall, but never two on one side, since no point is behind a wall.
 template <std::size_t Nodes>
 std::array<Factor, Nodes> end_at_walls(std::array<Factor, Nodes> N, const Axis& axis) {
   fold(N[0], N[1], N[2], axis.first < Pack(axis.walls.first));
@@ -46,7 +46,7 @@ constexpr auto cubic = [](const Pack& s, const Axis& axis) {
   return end_at_walls(N, axis);
 };
 
-/// @param support half of the functions' support, in cells
+/// @param support half width of the functions' support, in cells
 template <int Nodes, int Dim, class Function>
 void fill(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils, double support,
           const Function& function) {

@@ -4,9 +4,9 @@
 
 namespace riedel {
 
-/// B-splines of the grid, one to a node, taken at the point. Where a wall ends the material, what the nodes behind it
-/// would carry is that of a straight line through the last two rows, so that the last row alone tells the motion at the
-/// wall. Steffen, Kirby & Berzins (2008), Int. J. Numer. Meth. Engng 76, 922–948.
+/// B-splines of the grid, one per node, evaluated at the point. At a wall, the value of the node behind it is
+/// extrapolated linearly from the last two rows, so that the last row alone determines the motion at the wall. Steffen,
+/// Kirby & Berzins (2008), Int. J. Numer. Meth. Engng 76, 922–948.
 template <int Dim>
 class QuadraticBspline final : public ShapeFunction<Dim> {
 public:

@@ -14,7 +14,7 @@ struct Domains {
   std::array<PackVector<Dim>, Dim> half, inverse; ///< half[a] = R_a; inverse[a]·R_b = δ_ab
 };
 
-/// r = (R_a × R_b) in space, and R_a turned by −90° in the plane, both scaled.
+/// r = (R_a × R_b) in space, and R_a rotated by −90° in the plane, both scaled.
 void invert(const std::array<PackVector<2>, 2>& R, std::array<PackVector<2>, 2>& inverse) {
   const Pack per_det = Pack(1.0) / (R[0][0] * R[1][1] - R[0][1] * R[1][0]);
   inverse[0] = {R[1][1] * per_det, -R[1][0] * per_det};
@@ -30,7 +30,7 @@ void invert(const std::array<PackVector<3>, 3>& R, std::array<PackVector<3>, 3>&
     for (Pack& component : row) component *= per_det;
 }
 
-/// Shortens the half diagonals l_c = Σ_a s_ca R_a, the R_a follow: R_a = 2⁻ᵈ Σ_c s_ca l_c.
+/// Shortens the half diagonals l_c = Σ_a s_ca R_a; the R_a follow: R_a = 2⁻ᵈ Σ_c s_ca l_c.
 template <int Dim>
 void limit_diagonals(std::array<PackVector<Dim>, Dim>& R, const Pack& longest) {
   constexpr int corners = power(2, Dim);
@@ -48,7 +48,7 @@ void limit_diagonals(std::array<PackVector<Dim>, Dim>& R, const Pack& longest) {
   R = shorter;
 }
 
-/// @param longest half diagonal allowed [m], if there is a limit; else not positive
+/// @param longest maximum half diagonal [m]; not positive: no limit
 template <int Dim>
 Domains<Dim> domains_of(const Points<Dim>& points, Index p, const Pack& longest) {
   const Index size = points.size();
@@ -64,8 +64,8 @@ Domains<Dim> domains_of(const Points<Dim>& points, Index p, const Pack& longest)
   return d;
 }
 
-/// Corner c of eight domains: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1, …) tells the
-/// corner; for a parallelogram these are eqs. (18) and (20) of the paper.
+/// Corner c of eight domains: N = 2⁻ᵈ Σ_c N_i(x_c) and ∇N = R⁻ᵀ 2⁻ᵈ Σ_c s_c N_i(x_c), where s_c = (±1, …) identifies
+/// the corner; for a parallelogram these are eqs. (18) and (20) of the paper.
 template <int Dim>
 Corner<Dim> corner_of(const Domains<Dim>& domains, int c) {
   constexpr int corners = power(2, Dim);

@@ -23,7 +23,7 @@ public:
             .converges_at_free_faces = true,
             .balances_pressure_on_points = true};
   }
-  /// Every corner reaches the nodes of its cell; a node may stand in several corners' entries.
+  /// Every corner reaches the nodes of its cell; a node may appear in several corners' entries.
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }
   [[nodiscard]] bool traction_at_corners() const override { return true; }
@@ -31,7 +31,7 @@ public:
   [[nodiscard]] Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
 
 private:
-  double limit_; ///< half diagonal of a domain at the most, in cells; 0: no limit
+  double limit_; ///< maximum half diagonal of a domain, in cells; 0: no limit
 };
 
 } // namespace riedel

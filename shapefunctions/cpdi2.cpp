@@ -20,7 +20,7 @@ CornerPlaces<Dim> corners_of(const Points<Dim>& points, Index p) {
   return x;
 }
 
-/// M_c = 2⁻ᵈ Π (1 + s_ca ξ_a) and ∂M_c/∂ξ_a at a point of Gauss's rule, ξ_a = s_ga/√3.
+/// M_c = 2⁻ᵈ Π (1 + s_ca ξ_a) and ∂M_c/∂ξ_a at a Gauss point, ξ_a = s_ga/√3.
 template <int Dim>
 struct CornerShape {
   double value = 1.0;
@@ -37,7 +37,7 @@ struct CornerShape {
   }
 };
 
-/// What the corners of eight domains weigh in the means over them.
+/// Weights of the corners of eight domains in the means over them.
 template <int Dim>
 struct CornerWeights {
   Pack volume{0.0};
@@ -45,8 +45,8 @@ struct CornerWeights {
   CornerPlaces<Dim> gradient;
 };
 
-/// w_c = ∫ M_c dx/V and ∫ ∇M_c dx/V. Two points along each axis integrate both exactly: det J and its cofactors are of
-/// second degree in each ξ_a at the most, M_c is of first.
+/// w_c = ∫ M_c dx/V and ∫ ∇M_c dx/V. Two points along each axis integrate both exactly: det J and its cofactors are at
+/// most of second degree in each ξ_a, M_c is of first.
 template <int Dim>
 CornerWeights<Dim> corner_weights(const CornerPlaces<Dim>& x) {
   constexpr int corners = power(2, Dim);
@@ -78,7 +78,7 @@ CornerWeights<Dim> corner_weights(const CornerPlaces<Dim>& x) {
   return w;
 }
 
-/// Σ_c w_c x_c, of places the centroid.
+/// Σ_c w_c x_c, the centroid for positions.
 template <int Dim>
 PackVector<Dim> centroid(const CornerPlaces<Dim>& x, const CornerWeights<Dim>& w) {
   PackVector<Dim> middle;
@@ -88,8 +88,8 @@ PackVector<Dim> centroid(const CornerPlaces<Dim>& x, const CornerWeights<Dim>& w
   return middle;
 }
 
-/// Domains whose corners lie too far from their middles: the corners come nearer, and the domains move back so that
-/// their centroids are where they were.
+/// Shortens domains whose corners are too far from their centres: the corners move inwards, and the domains are shifted
+/// so that their centroids are unchanged.
 template <int Dim>
 struct LimitedCorners {
   CornerPlaces<Dim> place;
@@ -112,7 +112,7 @@ struct LimitedCorners {
   }
 };
 
-/// Velocity of the grid at eight places, by hats; zero off the grid.
+/// Velocity of the grid at eight positions, by hats; zero off the grid.
 template <int Dim>
 PackVector<Dim> velocity_at(const Grid<Dim>& grid, const Nodes<Dim>& nodes, const PackVector<Dim>& x) {
   std::array<std::array<double, pack_size>, Dim> place, v{};
@@ -130,8 +130,8 @@ PackVector<Dim> velocity_at(const Grid<Dim>& grid, const Nodes<Dim>& nodes, cons
   return answer;
 }
 
-/// Corners that lie beyond their shortened domains may be where no material is, so they follow the point's own motion,
-/// v_p + L_p (x_c − x_p).
+/// Corners beyond their shortened domains may be outside the material, so they follow the point's motion, v_p + L_p
+/// (x_c − x_p).
 template <int Dim>
 void move_shortened(const Grid<Dim>& grid, const Nodes<Dim>& nodes, const Points<Dim>& points, Index p, double limit,
                     const CornerPlaces<Dim>& x, CornerPlaces<Dim>& v) {

@@ -5,9 +5,9 @@
 namespace riedel {
 
 /// Second-order convected particle domain interpolation: as in `Cpdi`, but the domain is a quadrilateral (hexahedron)
-/// whose corners move with the velocity of the grid, each for itself, so that neighbours' domains stay joined. A point
-/// stands at the centroid of its domain. Sadeghirad, Brannon & Guilkey (2013), Int. J. Numer. Meth. Engng 95,
-/// 928–952. Limit as in `Cpdi`.
+/// whose corners move individually with the velocity of the grid, so that neighbours' domains stay joined. A point is
+/// at the centroid of its domain. Sadeghirad, Brannon & Guilkey (2013), Int. J. Numer. Meth. Engng 95, 928–952. Limit
+/// as in `Cpdi`.
 template <int Dim>
 class Cpdi2 final : public ShapeFunction<Dim> {
 public:
@@ -27,7 +27,7 @@ public:
   [[nodiscard]] int max_nodes() const override { return power(4, Dim); }
   [[nodiscard]] int margin() const override { return 3; }
   [[nodiscard]] bool traction_at_corners() const override { return true; }
-  /// Coordinate a of corner c [m] stands in column c Dim + a.
+  /// Coordinate a of corner c [m] is in column c Dim + a.
   [[nodiscard]] int point_data_size() const override { return power(2, Dim) * Dim; }
   void initialise(const Grid<Dim>& grid, Points<Dim>& points) const override;
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
@@ -35,7 +35,7 @@ public:
   [[nodiscard]] Corners<Dim> corners(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const override;
 
 private:
-  double limit_; ///< distance of a corner from the point at the most, in cells; 0: no limit
+  double limit_; ///< maximum distance of a corner from the point, in cells; 0: no limit
 };
 
 } // namespace riedel

@@ -13,7 +13,7 @@ enum NodeColumn { nearness, filling, per_volume };
 
 constexpr int bit(int number, int axis) { return (number >> axis) & 1; }
 
-/// Raises a number that other threads raise, too; the greatest wins in any order.
+/// Raises a number that other threads may raise too; the maximum wins in any order.
 void raise(double& number, double to) {
   std::atomic_ref<double> shared(number);
   double now = shared.load(std::memory_order_relaxed);
@@ -33,7 +33,7 @@ void find_nearness(const Grid<Dim>& grid, const Points<Dim>& points, double* nea
   });
 }
 
-/// Nodes at the corners of the cell above a node: offsets of their numbers.
+/// Nodes at the corners of the cell above a node: offsets of their indices.
 template <int Dim>
 std::array<Index, power(2, Dim)> corners_of_cell(const Grid<Dim>& grid) {
   const Counts<Dim> strides = grid.strides();
@@ -52,7 +52,7 @@ double coupling(const Grid<Dim>& grid, int j, int i, int a) {
   return K;
 }
 
-/// Where eight points stand in their cells, and their hats there.
+/// Positions of eight points in their cells, and their hats there.
 template <int Dim>
 struct PointsInCells {
   std::array<Pack, Dim> xi;           ///< 0 to 1
@@ -67,7 +67,7 @@ struct PointsInCells {
     for (int a = 0; a < Dim; ++a) {
       const Pack x = load_lanes(points.position[a], p, points.size());
       const Pack place = (x - Pack(grid.origin[a])) * Pack(1.0 / grid.cell[a]), cell = floor(place);
-      const Mask fits = cell >= Pack(1.0) && cell <= Pack(grid.nodes[a] - 3); // false for NaN too
+      const Mask fits = cell >= Pack(1.0) && cell <= Pack(grid.nodes[a] - 3); // also false for NaN
       inside = a == 0 ? fits : inside && fits;
       xi[a] = select(fits, place - cell, Pack(0.0));
       first_row[a] = select(fits, cell - Pack(1.0), Pack(0.0));
@@ -80,7 +80,7 @@ struct PointsInCells {
     }
   }
 
-  /// A column of nodes at an offset from the patch's lowest node.
+  /// Values of a nodal column at an offset from the patch's lowest node.
   [[nodiscard]] Pack column_at(const double* column, Index offset) const {
     std::array<double, pack_size> lane;
     for (int k = 0; k < pack_size; ++k) lane[k] = column[first[k] + offset];
@@ -91,7 +91,7 @@ struct PointsInCells {
 template <int Dim>
 using PatchSlopes = std::array<std::array<Pack, Dim>, power(4, Dim)>;
 
-/// Entry of the patch whose node is `above` nodes above its lowest one, along each axis.
+/// Index of the patch's entry whose node is `above` nodes above its lowest node, along each axis.
 template <int Dim>
 int entry_at(const Counts<Dim>& above) {
   int entry = 0;
@@ -128,12 +128,12 @@ void add_averaged_gradients(const Grid<Dim>& grid, const Columns& node_data, con
 template <int Dim>
 const Keys& Ddmp<Dim>::parameters() {
   static const Keys keys{
-      {"alpha", 0.5, "-", between(0, 1), "ddmp: share of the hats' own gradient in a cell's middle"}};
+      {"alpha", 0.5, "-", between(0, 1), "ddmp: share of the hats' own gradient at a cell's centre"}};
   return keys;
 }
 
-/// A cell is filled as far as points come near all of its corners, fully from the hat on that a point in its middle
-/// gives them. So nodes that no point reaches have no part in any average, and a cell is left and entered smoothly.
+/// The filling of a cell measures how near points come to all of its corners; it is full at the hat values of a point
+/// at its centre. So nodes that no point reaches do not enter any average, and cells are left and entered smoothly.
 template <int Dim>
 void Ddmp<Dim>::prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& node_data) const {
   constexpr int corners = power(2, Dim);
@@ -141,8 +141,8 @@ void Ddmp<Dim>::prepare(const Grid<Dim>& grid, const Points<Dim>& points, Column
   find_nearness(grid, points, near);
   const std::array<Index, corners> offset = corners_of_cell(grid);
   const Index last = grid.node_count() - 1;
-  parallel_for(grid.node_count(), [&](Index i) { // of the grid's last rows, whose cells
-                                                 // are none, no use is made
+  parallel_for(grid.node_count(), [&](Index i) { // the last rows of nodes have no cell
+                                                 // above; their results are not used
     double minimum = 1.0;
     for (const Index o : offset) minimum = std::min(minimum, corners * near[std::min(i + o, last)]);
     fill[i] = minimum;
@@ -161,7 +161,7 @@ void Ddmp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range
   for (Index p = block.begin; p < block.end; p += pack_size) {
     StencilGroup<Dim>& group = stencils.group_of(p);
     const PointsInCells<Dim> at(grid, points, p);
-    Pack alpha(stencils.node_data == nullptr ? 1.0 : alpha_); // rigid bodies have no averages
+    Pack alpha(stencils.node_data == nullptr ? 1.0 : alpha_); // no averages for rigid bodies
     if (stencils.node_data != nullptr)
       for (const Pack& xi : at.xi) alpha *= Pack(4.0) * xi * (Pack(1.0) - xi);
 

@@ -4,9 +4,9 @@
 
 namespace riedel {
 
-/// Dual domain material point method: hats at the point, and gradients α ∇S + (1 − α) ∇̃S, where ∇̃S interpolates between
-/// gradients averaged around each node and α vanishes on the faces of cells. So gradients are continuous. Zhang, Ma &
-/// Giguere (2011), J. Comput. Phys. 230, 6379–6398. Averages are taken over the cells that hold material.
+/// Dual domain material point method: hats at the point, and gradients α ∇S + (1 − α) ∇̃S, where ∇̃S interpolates
+/// between gradients averaged around each node and α vanishes on cell faces, so that gradients are continuous. Zhang,
+/// Ma & Giguere (2011), J. Comput. Phys. 230, 6379–6398. Averages are taken over the cells that contain material.
 template <int Dim>
 class Ddmp final : public ShapeFunction<Dim> {
 public:
@@ -22,13 +22,13 @@ public:
   [[nodiscard]] int margin() const override { return 1; }
   [[nodiscard]] bool supports_affine() const override { return false; } // its weights are hats
   [[nodiscard]] bool gradients_follow_weights() const override { return false; }
-  /// How near a point comes to the node, the filling of the cell above it, and 1 over the filled volume around it.
+  /// How close points come to the node, the filling of the cell above it, and 1 over the filled volume around it.
   [[nodiscard]] int node_data_size() const override { return 3; }
   void prepare(const Grid<Dim>& grid, const Points<Dim>& points, Columns& node_data) const override;
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
 
 private:
-  double alpha_; ///< α in the middle of a cell [-]
+  double alpha_; ///< α at the centre of a cell [-]
 };
 
 } // namespace riedel

@@ -18,8 +18,8 @@ constexpr auto averaged_hat = [](const Pack& r, const Axis& axis) -> ValueGradie
   return {.value = area * axis.per_2l, .gradient = (a_share - b_share) * axis.per_2l};
 };
 
-/// The same for boxes no wider than a cell. They reach from u = s − l/h in the first cell to u + 2 l/h, in that cell up
-/// to c, and t beyond it: the outer nodes average one arm of their hats, and the one between gets what is left of 1.
+/// The same for boxes no wider than a cell. They extend from u = s − l/h in the first cell to u + 2 l/h, in that cell
+/// up to c, and t beyond it: the outer nodes average one arm of their hats, and the middle one gets the remainder to 1.
 constexpr auto narrow_box = [](const Pack& s, const Axis& axis) -> std::array<ValueGradient<Pack>, 3> {
   const Pack half = axis.l * axis.per_h, u = s - half, c = min(s + half, Pack(1.0)), t = (s + half) - c;
   const Pack per_area = axis.per_2l * axis.h * Pack(0.5);
@@ -42,7 +42,7 @@ std::array<Real, 2> stretch_diagonal(const std::array<Real, 4>& F) {
   return {(c1 + J) * per_trace, (c2 + J) * per_trace};
 }
 
-/// Half widths of the boxes of eight points from p on, lanes past the last point repeating it.
+/// Half widths of the boxes of eight points from p on; lanes past the last point repeat it.
 std::array<Pack, 2> cpgimp_half_widths(const Grid<2>& grid, const Points<2>& points, Index p) {
   std::array<Pack, 4> F;
   for (int c = 0; c < 4; ++c) F[c] = load_lanes(points.deformation_gradient[c], p, points.size());
@@ -86,7 +86,7 @@ void Cpgimp<Dim>::evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Ran
   for (Index p = block.begin; p < block.end; p += pack_size) {
     const std::array<Pack, Dim> half_width = cpgimp_half_widths(grid, points, p);
     std::array<AxisLanes, Dim> lanes;
-    bool small = true; // no box wider than a cell: three nodes along each axis are enough
+    bool small = true; // if no box is wider than a cell, three nodes along each axis are enough
     for (int a = 0; a < Dim; ++a) {
       lanes[a] = {.position = load_lanes(points.position[a], p, points.size()), .half_width = half_width[a]};
       small = small && all(lanes[a].half_width <= Pack(0.5 * grid.cell[a]));

@@ -4,10 +4,10 @@
 
 namespace riedel {
 
-/// Slopes of boxes fade later than their masses: they miss nodes that reach less than a share of 1e-12 of a point.
+/// Gradients of boxes vanish later than their masses: they miss nodes with less than a share of 1e-12 of a point.
 inline constexpr double min_gradient_seen = 1e-10;
 
-/// Uniform GIMP: hats averaged over a box that keeps its share of a cell.
+/// Uniform GIMP: hats averaged over a box that is a fixed share of a cell.
 /// Bardenhagen & Kober (2004), Comput. Model. Eng. Sci. 5, 477–495.
 template <int Dim>
 class Gimp final : public ShapeFunction<Dim> {
@@ -28,7 +28,7 @@ public:
 };
 
 /// Contiguous-particle GIMP: the box follows the point's stretch, half width l_a = l_a0 U_aa with U the right stretch
-/// of F = R U, so that a rotation leaves it as it is; never wider than a cell. Wallstedt & Guilkey (2008), J. Comput.
+/// of F = R U, so that a rotation does not change it; never wider than a cell. Wallstedt & Guilkey (2008), J. Comput.
 /// Phys. 227, 9628–9642; U as in Charlton, Coombs & Augarde (2017).
 template <int Dim>
 class Cpgimp final : public ShapeFunction<Dim> {

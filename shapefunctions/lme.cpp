@@ -8,20 +8,20 @@ namespace riedel {
 namespace {
 
 constexpr int nodes_in_row = 6;
-constexpr int below = 2; ///< nodes of the row that come before the point's cell
+constexpr int below = 2; ///< number of nodes in the row before the point's cell
 using Row = std::array<Pack, nodes_in_row>;
 
-/// Nodes of a row from the lower one of the point's cell: a = −2 … 3.
+/// Nodes of a row, relative to the lower one of the point's cell: a = −2 … 3.
 Pack number_of(int i) { return Pack(static_cast<double>(i - below)); }
 
-/// Weights, their mean and their variance; the mean from a node next to it, so that both are exact on it, too.
+/// Weights, their mean and their variance; the mean relative to a nearby node, so that both are exact there, too.
 struct Weights {
   Row N;
   Pack mean, variance;
 };
 
 /// N_a ∝ c_a exp(θ a)
-/// @param nearest node from which the mean is counted
+/// @param nearest node relative to which the mean is given
 Weights tilted(const Row& c, const Pack& theta, const Pack& nearest) {
   const Pack w = exp(theta), per_w = Pack(1.0) / w, ww = w * w;
   Weights tilt{.N = {c[0] * per_w * per_w, c[1] * per_w, c[2], c[3] * w, c[4] * ww, c[5] * ww * w},
@@ -41,9 +41,9 @@ Weights tilted(const Row& c, const Pack& theta, const Pack& nearest) {
   return tilt;
 }
 
-/// Because nodes stand in rows, the product over the axes of functions of least bias is the function of least bias. One
-/// axis: N_a ∝ exp(−γ (s − a)² + λ (s − a)) = c_a exp(θ a) but for what all nodes share, with c_a = exp(−γ a²), and the
-/// mean of a must be s, the place in the cell.
+/// Because nodes form rows, the least biased function is the product of the least biased functions along the axes. One
+/// axis: N_a ∝ exp(−γ (s − a)² + λ (s − a)) = c_a exp(θ a) up to a common factor, with c_a = exp(−γ a²), and the mean
+/// of a must be s, the position in the cell.
 std::array<ValueGradient<Pack>, nodes_in_row> least_biased(const Pack& place, const Axis& axis, double gamma,
                                                            const Row& fading, int newton_steps) {
   const Pack s = place - Pack(static_cast<double>(below)), cell = axis.first + Pack(static_cast<double>(below));
@@ -53,7 +53,7 @@ std::array<ValueGradient<Pack>, nodes_in_row> least_biased(const Pack& place, co
     const Pack node = cell + number_of(i);
     c[i] = select(node >= first_wall && node <= last_wall, fading[i], Pack(0.0));
   }
-  // Start: λ = 0, or next to a wall, as if the cell's two nodes were the only ones.
+  // Start: λ = 0, or next to a wall, the solution for the cell's two nodes only.
   const Pack alone = log(s / (Pack(1.0) - s)) + Pack(gamma);
   Pack theta = Pack(2 * gamma) * s;
   theta = select(cell <= first_wall, min(theta, alone), theta);
@@ -77,7 +77,7 @@ std::array<ValueGradient<Pack>, nodes_in_row> least_biased(const Pack& place, co
 template <int Dim>
 const Keys& Lme<Dim>::parameters() {
   static const Keys keys{
-      {"gamma", 1.8, "-", between(1.5, 4), "lme: how fast weights fade, exp(−γ (distance/cell)²); 4 is near to hats"}};
+      {"gamma", 1.8, "-", between(1.5, 4), "lme: decay of weights, exp(−γ (distance/cell)²); 4 is close to hats"}};
   return keys;
 }
 

@@ -4,9 +4,9 @@
 
 namespace riedel {
 
-/// Local maximum entropy functions at the point: of all weights that give constants and linear fields exactly, those
-/// that are least biased and nearest to the point, N_i ∝ exp(−γ |x − x_i|²/h² + λ · (x − x_i)). Arroyo & Ortiz (2006),
-/// Int. J. Numer. Meth. Engng 65, 2167–2202. Nodes behind a wall take no part.
+/// Local maximum entropy functions at the point: of all weights that reproduce constants and linear fields exactly, the
+/// least biased and most local, N_i ∝ exp(−γ |x − x_i|²/h² + λ · (x − x_i)). Arroyo & Ortiz (2006), Int. J. Numer.
+/// Meth. Engng 65, 2167–2202. Nodes behind a wall are excluded.
 template <int Dim>
 class Lme final : public ShapeFunction<Dim> {
 public:
@@ -24,8 +24,9 @@ public:
   void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block, Stencils<Dim>& stencils) const override;
 
 private:
-  double gamma_;                 ///< γ [-]
-  std::array<double, 6> fading_; ///< exp(−γ a²) of the nodes of a row, a from the lower one of the point's cell [-]
+  double gamma_; ///< γ [-]
+  std::array<double, 6>
+      fading_; ///< exp(−γ a²) of the nodes of a row, a counted from the lower node of the point's cell [-]
 };
 
 } // namespace riedel

@@ -4,7 +4,7 @@
 
 namespace riedel {
 
-/// Adds the built-in schemes, by hand: static registrars would be dropped from archives.
+/// Adds the built-in schemes explicitly: static registrars would be dropped from archives.
 template <int Dim>
 void register_shape_functions(ShapeFunctions<Dim>& schemes);
 

@@ -6,7 +6,7 @@ namespace riedel {
 
 namespace {
 
-/// A rate that nobody has given leaves the share by step.
+/// A rate of "auto" gives way to a given share per step.
 template <int Dim>
 Blend<Dim> blend_of(const Values& options) {
   Blend<Dim> rule;
@@ -25,14 +25,14 @@ Keys Flip<Dim>::parameters() {
            "auto",
            "1/s",
            at_least(0),
-           "rate at which what the grid does not see of the points' velocities fades",
+           "decay rate of the part of the points' velocities that the grid does not represent",
            {"auto"}},
           {"flip",
            "damping",
            "-",
            between(0, 1),
-           "share of FLIP in a step, the rest is PIC; damping: e^(-time.damping dt), so that steps of any size damp "
-           "alike",
+           "share of FLIP in a step, the rest is PIC; damping: e^(-time.damping dt), so that damping does not "
+           "depend on the step size",
            {"damping"}}};
 }
 
@@ -42,7 +42,7 @@ Flip<Dim>::Flip(const Values& options) : PointwiseTransfer<Dim, Blend<Dim>>(blen
 template <int Dim>
 std::string Flip<Dim>::damping_text() const {
   const Blend<Dim>& rule = this->rule_;
-  return rule.damping ? "damping " + short_text(*rule.damping) + " 1/s" : "FLIP " + short_text(rule.flip) + " by step";
+  return rule.damping ? "damping " + short_text(*rule.damping) + " 1/s" : "FLIP " + short_text(rule.flip) + " per step";
 }
 
 template class PointwiseTransfer<2, Blend<2>>;

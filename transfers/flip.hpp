@@ -1,5 +1,5 @@
 /// The blend of FLIP and PIC, the fluid implicit particle method and the particle-in-cell method: Brackbill & Ruppel
-/// (1986), J. Comput. Phys. 65, 314–343. Its update is that of Sulsky, Chen & Schreyer (1994) for the share 1 of FLIP.
+/// (1986), J. Comput. Phys. 65, 314–343. With the share 1 of FLIP it is the update of Sulsky, Chen & Schreyer (1994).
 #pragma once
 
 #include "transfers/kit/blend.hpp"

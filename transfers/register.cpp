@@ -21,14 +21,15 @@ void add(VelocityTransfers<Dim>& transfers, std::string summary, std::string sou
 }
 } // namespace
 
-/// The first is the one where none is named.
+/// The first one is the default.
 template <int Dim>
 void register_transfers(VelocityTransfers<Dim>& transfers) {
-  add<Flip<Dim>>(transfers, "blend of FLIP and PIC: changes of velocity, and a share of the grid's velocity",
+  add<Flip<Dim>>(transfers, "blend of FLIP and PIC: velocity increments, and a share of the grid's velocity",
                  "Brackbill & Ruppel (1986)");
   add<Apic<Dim>>(transfers, "affine: points keep their share of the angular momentum", "Jiang et al. (2015)");
   add<Tpic<Dim>>(transfers, "affine: points keep the gradient of the velocity", "Nakamura et al. (2023)");
-  add<Xpic<Dim>>(transfers, "FLIP without what the grid does not see of the velocities, up to a power of it",
+  add<Xpic<Dim>>(transfers,
+                 "FLIP without the part of the velocities that the grid does not represent, to a given order",
                  "Hammerquist & Nairn (2017)");
 }
 

@@ -8,8 +8,8 @@
 
 namespace riedel {
 
-/// A point keeps the gradient C_p = Σ_i v_i ⊗ ∇N_ip [1/s] of the velocities it took its own from, and gives its nodes
-/// Taylor's series about it.
+/// A point stores the gradient C_p = Σ_i v_i ⊗ ∇N_ip [1/s] of the velocities from which it took its own, and gives its
+/// nodes the Taylor series about it.
 template <int Dim>
 struct TaylorGradient {
   static constexpr bool keeps_gradient = true;

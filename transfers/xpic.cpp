@@ -7,7 +7,7 @@ namespace riedel {
 
 namespace {
 
-/// (mv)_i = Σ_p N_ip m_p Σ_j N_jp t_j: once to the points and back.
+/// (mv)_i = Σ_p N_ip m_p Σ_j N_jp t_j: one mapping to the points and back.
 template <int Dim>
 void send_there_and_back(State<Dim>& state, const Model<Dim>& model, const AlignedVector<NodeMotion<Dim>>& t) {
   clear_momentum(state.nodes);
@@ -36,8 +36,7 @@ Xpic<Dim>::Xpic(const Values& options)
     : Update(Blend<Dim>{.flip = 1.0}), order_(static_cast<int>(options.integer("xpic_order"))) {}
 
 /// (I − (I − SS⁺)ᵐ) V = S u with u = Σ_k t_k, t_1 = S⁺V, t_{k+1} = (I − S⁺S) t_k, k up to m: the same as the paper's
-/// sum of binomials times (S⁺S)ᵏ S⁺V, by differences, which are small. t stands in the place of a velocity, u in that
-/// of an acceleration.
+/// sum of binomials times (S⁺S)ᵏ S⁺V, by small differences. t is stored as a velocity, u as an acceleration.
 template <int Dim>
 void Xpic<Dim>::filter_velocities(State<Dim>& state, const Model<Dim>& model) const {
   const PhaseClock::Lap lap(state.clock, Phase::g2p);

@@ -7,8 +7,8 @@
 
 namespace riedel {
 
-/// FLIP's update of velocities from which what the grid does not see has been taken out: with S from grid to points and
-/// S⁺ back, by mass, V ← (I − (I − S S⁺)ᵐ) V + Δt S a; m = 1 is PIC.
+/// FLIP's update after removal of the velocities that the grid does not represent: with S from grid to points and S⁺
+/// back, weighted by mass, V ← (I − (I − S S⁺)ᵐ) V + Δt S a; m = 1 is PIC.
 template <int Dim>
 class Xpic final : public PointwiseTransfer<Dim, Blend<Dim>> {
 public:
@@ -25,7 +25,7 @@ public:
 
 private:
   using Update = PointwiseTransfer<Dim, Blend<Dim>>;
-  /// Needs the (mv)_i of the points' velocities, and uses them up.
+  /// Needs the (mv)_i of the points' velocities, and overwrites them.
   void filter_velocities(State<Dim>& state, const Model<Dim>& model) const;
 
   int order_; ///< m

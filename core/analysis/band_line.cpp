@@ -24,8 +24,8 @@ Moments moments(const BandSamples& samples, const Weight& weight) {
   return m;
 }
 
-/// Of all lines, by whole degrees, the one with the most dilation within two spacings of points. Unlike the principal
-/// axis it does not follow what dilates elsewhere.
+/// The line, searched in steps of one degree, with the most dilation within two point spacings. Unlike the principal
+/// axis, it is not drawn towards dilation elsewhere.
 BandLine densest_strip(const BandSamples& band) {
   const Vec<2> mean = moments(band, dilation).mean;
   double reach = 0.0, area = 0.0;
@@ -54,7 +54,7 @@ BandLine densest_strip(const BandSamples& band) {
   return densest;
 }
 
-/// The middle half of what lies near the line.
+/// Takes the middle half of the dilation near the line as the straight part.
 void bound_straight_part(BandLine& line, const BandSamples& band) {
   const BandSamples near = select(band, [&](const BandSample& s) { return line.near(s); });
   const auto along = [&](const BandSample& s) { return line.along(s); };
@@ -62,8 +62,8 @@ void bound_straight_part(BandLine& line, const BandSamples& band) {
   line.end = quantile(near, 0.75, along, dilation);
 }
 
-/// The line of regression through what lies near the old one, with a weight that falls to zero smoothly towards the
-/// ends: they are cut askew by the edge of the specimen, or bend away.
+/// The regression line through the points near the previous line. Weights fall smoothly to zero towards the ends, where
+/// the edge of the specimen cuts the band obliquely or the band bends away.
 BandLine regression(const BandLine& old, const BandSamples& band) {
   const double middle = 0.5 * (old.begin + old.end), reach = 0.8 * (old.end - old.begin);
   const auto weight = [&](const BandSample& s) {

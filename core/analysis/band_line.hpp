@@ -9,20 +9,20 @@
 
 namespace riedel {
 
-/// One point as the measurement sees it.
+/// A point as used by the measurement.
 struct BandSample {
   Vec<2> x;        ///< [m]
   double volume;   ///< [m²]
   double e;        ///< void ratio [-]
-  double rise;     ///< e − e0, less the specimen's median [-]
-  double rotation; ///< less the specimen's median [rad]
+  double rise;     ///< e − e0, minus the median over the specimen [-]
+  double rotation; ///< minus the median over the specimen [rad]
   double shear;    ///< [-] or [1/s]
-  double rate;     ///< ‖D‖, less the specimen's median [1/s]
-  int band = 0;    ///< +1, −1: belongs to the band that turns anticlockwise, clockwise; 0: to none
+  double rate;     ///< ‖D‖, minus the median over the specimen [1/s]
+  int band = 0;    ///< +1, −1: in the band that rotates anticlockwise, clockwise; 0: in none
 };
 using BandSamples = std::vector<BandSample>;
 
-/// The value below which `share` of the weight lies.
+/// The weighted quantile: the value below which `share` of the weight lies.
 template <class Value, class Weight>
 double quantile(BandSamples samples, double share, const Value& value, const Weight& weight) {
   if (samples.empty()) return 0.0;
@@ -41,13 +41,13 @@ BandSamples select(const BandSamples& samples, const Keep& keep) {
   return kept;
 }
 
-/// Standard deviation over median absolute deviation, of a normal distribution.
+/// Standard deviation of a normal distribution over its median absolute deviation.
 constexpr double normal_deviation = 1.4826;
 
-/// How much a point counts for a band: V (e − e0) [m²].
+/// The weight of a point in a band: V (e − e0) [m²].
 inline double dilation(const BandSample& s) { return s.volume * s.rise; }
 
-/// The middle of a band and how far it was followed.
+/// Centre and direction of a band, and the part that was followed.
 struct BandLine {
   Vec<2> centre = Vec<2>::Zero(); ///< [m]
   double angle = 0.0;             ///< to the horizontal, −π/2 to π/2 [rad]
@@ -66,7 +66,8 @@ struct BandLine {
   [[nodiscard]] bool beside(const BandSample& s) const { return begin <= along(s) && along(s) <= end; }
 };
 
-/// Fits the line to the points of one band, which all dilate. Without a direction, `end` is not greater than `begin`.
+/// Fits the line to the points of one band, all of them dilating. If there is no direction, `end` is not greater than
+/// `begin`.
 [[nodiscard]] BandLine fit_line(const BandSamples& band);
 
 } // namespace riedel

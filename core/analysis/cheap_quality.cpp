@@ -6,10 +6,10 @@ namespace riedel {
 
 namespace {
 
-constexpr double min_share = 0.02; ///< of the confining pressure, below which a point carries no stress to speak of
-constexpr double block = 0.05;     ///< change of void ratio up to which a point belongs to a block
+constexpr double min_share = 0.02; ///< of the confining pressure, below which a point counts as stress-free
+constexpr double block = 0.05;     ///< largest change of void ratio of a point in a rigid block
 
-/// Change of the void ratio since the start, or without one of the volume, of the point with this id.
+/// Change of the void ratio of the point with this id since the start; change of volume for a law without a void ratio.
 template <int Dim>
 double rise(const Body<Dim>& body, int void_ratio, std::size_t id) {
   const Points<Dim>& points = body.points;
@@ -19,13 +19,13 @@ double rise(const Body<Dim>& body, int void_ratio, std::size_t id) {
   return (1.0 + points.state[void_ratio][p]) * (1.0 - 1.0 / J); // grains keep their volume
 }
 
-/// A point of a block has neither dilated much nor been loose from the start.
+/// A point in a block has neither dilated much nor been loose from the start.
 template <int Dim>
 bool in_block(const Body<Dim>& body, int void_ratio, std::size_t id, double rise, double usual) {
   return rise < block && (void_ratio < 0 || body.points.state[void_ratio][body.points.place[id]] < usual + block);
 }
 
-/// Means of squares over four neighbours in a row that all lie in a block.
+/// Rms over all runs of four neighbours in a row that lie in a block.
 template <int Dim>
 double alternation(const Body<Dim>& body, std::size_t in_row, double usual_void_ratio) {
   const int e = state_column(body.material->states(), "void_ratio");
@@ -53,7 +53,7 @@ std::int64_t stressless(const Points<Dim>& points, double minimum) {
   return count;
 }
 
-/// Of the last fifth of the ids of each layer, along the specimen's own x.
+/// Mean velocity of the last fifth of the ids in each layer, along the specimen's x axis.
 template <int Dim>
 double upper_velocity(const Points<Dim>& points, std::size_t in_layer, const Vec<2>& along) {
   double momentum = 0.0, mass = 0.0;

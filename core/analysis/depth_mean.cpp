@@ -10,12 +10,12 @@ namespace riedel {
 
 namespace {
 
-/// Finds places in the plane again that differ by less than half of `size`.
+/// Columns by place in the plane; places that differ by less than half of `size` are the same column.
 class Plane {
 public:
   explicit Plane(double size) : size_(size) {}
 
-  /// Number of the column at this place, a new one if there was none.
+  /// Number of the column at this place; adds one if there is none.
   std::size_t column(double x, double y) {
     const long i = std::lround(x / size_), j = std::lround(y / size_);
     for (const long a : {i, i - 1, i + 1})
@@ -38,7 +38,7 @@ private:
   std::map<std::pair<long, long>, Column> columns_;
 };
 
-/// Which points stood behind one another.
+/// Which points lay behind one another at the start.
 struct Stacks {
   std::vector<std::size_t> of_point;
   std::vector<double> points; ///< in each column
@@ -58,7 +58,7 @@ Stacks stacks_of(const Frame& slab) {
   return stacks;
 }
 
-/// @param values so many of each point
+/// @param of_each values per point
 std::vector<double> mean(const std::vector<double>& values, const Stacks& stacks, std::size_t of_each) {
   std::vector<double> means(stacks.points.size() * of_each, 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<double> mean(const std::vector<double>& values, const Stacks& stacks
   return means;
 }
 
-/// Mean of the lower and the upper face of each hexahedron.
+/// Mean of the lower and upper faces of each hexahedron.
 std::vector<double> middle_faces(const std::vector<double>& hexahedra) {
   constexpr std::size_t face = 4 * 3;
   std::vector<double> quads;

@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-/// Relative L2 norm of an error over points, and over time when it is added to step by step.
+/// Relative L2 norm of an error over points, and over time if accumulated over steps.
 class ErrorNorm {
 public:
   void add(double weight, double difference_squared, double exact_squared) {

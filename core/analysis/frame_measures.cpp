@@ -8,7 +8,7 @@ namespace riedel {
 
 namespace {
 
-/// Where the points of a frame in the plane stand in the specimen's axes.
+/// Positions of a plane frame's points in the specimen's axes.
 struct Places {
   std::vector<double> x, y;
 

@@ -1,4 +1,4 @@
-/// What a frame of a specimen tells of its shear band, and how summary.json says it.
+/// Measures of the shear band in a frame of a specimen, and their form in summary.json.
 #pragma once
 
 #include "core/analysis/stress_quality.hpp"
@@ -9,13 +9,13 @@
 
 namespace riedel {
 
-/// A place in the frame's axes [m] to one in the specimen's; none: they are the same.
+/// Maps a position in the frame's axes [m] to the specimen's axes; empty: they coincide.
 using Placement = std::function<Vec<2>(const Vec<2>& place)>;
 
-/// The band of a frame in the plane, by the shear strain for a law without a void ratio.
+/// The shear band in a plane frame; found by the shear strain if the law has no void ratio.
 ShearBand measure_band(const Frame& frame, const BandSettings& settings, const Placement& in_specimen = {});
 
-/// How sound the stresses of a frame in the plane are within its band.
+/// Quality of the stresses within the band of a plane frame.
 StressQuality measure_quality(const Frame& frame, const ShearBand& band, const QualitySettings& settings,
                               const Placement& in_specimen = {});
 

@@ -41,8 +41,8 @@ BandSamples collect(const BandFields& f) {
   return samples;
 }
 
-/// What dilates by more than three times the usual deviation belongs to a band, to which by the sense of its rotation.
-/// A zone so wide that it makes the deviation is what dilates by half of the most, and more.
+/// A point belongs to a band if it dilates by more than three times the usual deviation; the sense of its rotation
+/// decides which. If a zone is so wide that it dominates the deviation, half of the largest dilation is the limit.
 void assign_to_bands(BandSamples& samples) {
   const auto volume = [](const BandSample& s) { return s.volume; };
   const double deviation = median(samples, [](const BandSample& s) { return std::abs(s.rise); });
@@ -106,7 +106,7 @@ Width half_maximum(const BandSamples& beside, const BandLine& line, double spaci
           crossing(top, profile.end())};
 }
 
-/// Area and mean void ratio of the points that `keep` picks.
+/// Area and mean void ratio of the points selected by `keep`.
 template <class Keep>
 std::pair<double, double> area_and_void_ratio(const BandSamples& samples, const Keep& keep) {
   double area = 0.0, sum = 0.0;
@@ -118,15 +118,15 @@ std::pair<double, double> area_and_void_ratio(const BandSamples& samples, const 
   return {area, area > 0.0 ? sum / area : no_figure};
 }
 
-/// Does a measure exceed what it must, or come so near that another run of the same test may answer otherwise?
+/// Whether a measure exceeds its minimum, or comes so close that another run of the same test may differ.
 enum class Answer { no, nearly, yes };
 Answer exceeds(double measure, double minimum) {
   constexpr double near = 0.8;
   return measure >= minimum ? Answer::yes : measure >= near * minimum ? Answer::nearly : Answer::no;
 }
 
-/// Strain that has gathered along the specimen: a band where that zone is slender, and diffuse where it is not, or
-/// where it is nearly too weak or too short to count.
+/// Classifies localised strain: a band if the zone is slender; diffuse if it is not, or if it is almost too weak or too
+/// short to count.
 BandKind kind_of(const BandSamples& samples, const ShearBand& band, const Width& width, const BandSettings& settings) {
   const auto [leftmost, rightmost] = std::ranges::minmax(samples, {}, [](const BandSample& s) { return s.x[0]; });
   const Answer gathered =
@@ -137,13 +137,13 @@ BandKind kind_of(const BandSamples& samples, const ShearBand& band, const Width&
   return gathered == Answer::yes && slender ? BandKind::single : BandKind::diffuse;
 }
 
-/// Measures the band that turns as `side` says.
+/// Measures the band whose sense of rotation is `side`.
 ShearBand measure(const BandSamples& samples, int side, double ratio, const BandSettings& settings) {
   const BandSamples own = select(samples, [&](const BandSample& s) { return s.band == side; });
   ShearBand band{.localisation_ratio = ratio};
   if (own.size() < 10) return band;
   const BandLine line = fit_line(own);
-  if (!(line.end > line.begin)) return band; // no direction to speak of
+  if (!(line.end > line.begin)) return band; // no clear direction
   const BandSamples beside = select(samples, [&](const BandSample& s) { return s.band != -side && line.beside(s); });
   const double spacing = std::sqrt(area_and_void_ratio(samples, [](const BandSample&) { return true; }).first /
                                    static_cast<double>(samples.size()));

@@ -8,7 +8,7 @@ namespace riedel {
 
 namespace {
 
-/// What is left of a quantity at one point once the mean of its neighbourhood is taken away.
+/// Deviation of a quantity at one point from the mean of its neighbourhood.
 double rest(std::span<const double> values, const QualityFields& f, std::size_t p, const QualitySettings& s) {
   double weight = 0.0, sum = 0.0;
   for (std::size_t q = 0; q < f.x.size(); ++q) {
@@ -21,7 +21,7 @@ double rest(std::span<const double> values, const QualityFields& f, std::size_t 
   return values[p] - sum / weight;
 }
 
-/// Points near the band's line, but for those at its ends.
+/// Points near the band's line, except near its ends.
 std::vector<std::size_t> core_of(const QualityFields& f, const BandLine& line, double distance) {
   const double fifth = 0.2 * (line.end - line.begin);
   std::vector<std::size_t> core;

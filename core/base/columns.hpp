@@ -44,7 +44,7 @@ public:
   }
   void fill(int component, double value) { std::fill_n((*this)[component], size_, value); }
 
-  /// Entry i becomes the former entry order[i]. @param scratch working space, kept by the caller
+  /// Entry i becomes the previous entry order[i]. @param scratch working space, kept by the caller
   void reorder(const std::vector<Index>& order, AlignedVector<double>& scratch) {
     scratch.resize(static_cast<std::size_t>(size_));
     for (int c = 0; c < components_; ++c) {

@@ -1,4 +1,4 @@
-/// What can go wrong, by who can mend it; the program's exit code follows from the type.
+/// Kinds of errors, by who can fix them; the program's exit code follows from the type.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-/// Exponential and natural logarithm of a register of doubles, to about one unit in the last place. They take half the
-/// time of xsimd's: no division in the exponential, no general conversions of integers.
+/// Exponential and natural logarithm of a register of doubles, to about one unit in the last place. They take half as
+/// long as xsimd's: no division in the exponential, no general conversions of integers.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@ namespace riedel::detail {
 using Register = xsimd::batch<double>;
 using Bits = xsimd::batch<std::uint64_t>;
 
-constexpr double ln_2_high = 0x1.62e42fee00000p-1; ///< ln 2 without its last bits: exact products with an exponent
+constexpr double ln_2_high =
+    0x1.62e42fee00000p-1; ///< ln 2 without its last bits, so that products with an exponent are exact
 constexpr double ln_2_low = 1.9082149292705877e-10;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -27,7 +28,7 @@ Register polynomial(const Register& x, const Register& square, double c0, double
     return xsimd::fma(polynomial(x, square, rest...), square, pair);
 }
 
-/// 0 below −708, where the result would be no normal number; ∞ above 709.7; NaN of NaN.
+/// 0 below −708, where the result would be subnormal; ∞ above 709.7; NaN of NaN.
 inline Register exponential(const Register& x) {
   const Register shift(0x1.8p52); // after adding it, the last bits of the sum are those of the nearest integer
   const Register shifted = xsimd::fma(x, Register(1.4426950408889634), shift), k = shifted - shift; // x / ln 2

@@ -1,14 +1,14 @@
-/// The machine that a program runs on, for the head of a report.
+/// The machine that a program runs on, for the header of a report.
 #pragma once
 
 #include <string>
 
 namespace riedel {
 
-/// Instruction set that the library was compiled for, as wide as its packs: "AVX-512".
+/// Instruction set that the library was compiled for, which sets the width of packs: "AVX-512".
 std::string instruction_set();
 
-/// Name of the processor; "unknown" where the system does not tell.
+/// Name of the processor; "unknown" if the system does not give it.
 std::string processor_name();
 
 } // namespace riedel

@@ -9,7 +9,7 @@
 
 namespace riedel {
 
-/// Lane by lane, fractions cut off.
+/// Lane by lane, truncated towards zero.
 inline std::array<Index, pack_size> whole_numbers(const Pack& a) {
   std::array<double, pack_size> lane;
   a.store(lane.data());

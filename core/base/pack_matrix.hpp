@@ -10,7 +10,7 @@ namespace riedel {
 template <int Dim>
 using PackMatrix = std::array<std::array<Pack, Dim>, Dim>;
 
-/// Of the points from p on, from columns of components row by row.
+/// Loads eight points from p on, from columns of components row by row.
 template <int Dim>
 PackMatrix<Dim> load_matrix(const Columns& columns, Index p) {
   PackMatrix<Dim> matrix;

@@ -1,5 +1,5 @@
-/// Declares Pack and Mask under a name that follows the instruction set, as their layout does: libraries compiled for
-/// different ones live in one process without taking each other's packs, or functions of packs, for their own.
+/// Declares Pack and Mask under names that depend on the instruction set, as their layout does: libraries compiled for
+/// different instruction sets share a process without mixing up their packs or functions of packs.
 #pragma once
 
 namespace riedel {

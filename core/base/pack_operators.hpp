@@ -1,4 +1,4 @@
-/// Eight doubles at once: loading, storing, arithmetic, comparison. Include pack.hpp, which has the functions too.
+/// Eight doubles at once: loading, storing, arithmetic, comparison. Include pack.hpp, which also has the functions.
 #pragma once
 
 #include "core/base/exp_log.hpp"
@@ -30,7 +30,7 @@ struct instructions::Pack {
   std::array<detail::Register, detail::registers> r;
 
   Pack() = default;
-  Pack(double value) { r.fill(detail::Register(value)); } // NOLINT: a number is a pack of equal numbers
+  Pack(double value) { r.fill(detail::Register(value)); } // NOLINT: a number converts to a pack of equal numbers
   static Pack load(const double* from) {                  ///< from eight contiguous doubles
     return make([&](int i) { return detail::Register::load_unaligned(from + i * detail::register_size); });
   }

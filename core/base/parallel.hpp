@@ -1,5 +1,5 @@
-/// Loops over blocks of points, spread over threads. Blocks do not depend on the number of threads, and sums are taken
-/// in the order of blocks, so the same bits come out of any number of threads.
+/// Loops over blocks of points, distributed over threads. Blocks do not depend on the number of threads and sums are
+/// taken in the order of blocks, so results are identical to the bit for any number of threads.
 #pragma once
 
 #include "core/base/types.hpp"
@@ -12,9 +12,9 @@
 namespace riedel {
 
 inline int max_threads() { return omp_get_max_threads(); }
-inline int this_thread() { return omp_get_thread_num(); } ///< 0 … most_threads() − 1
+inline int this_thread() { return omp_get_thread_num(); } ///< 0 … max_threads() − 1
 
-/// No more threads than this while it lives: for work that is too small to share.
+/// Limits the number of threads during its lifetime: for work that is too small to share.
 class ThreadLimit {
 public:
   explicit ThreadLimit(int maximum) : before_(max_threads()) { omp_set_num_threads(std::min(maximum, before_)); }
@@ -31,8 +31,8 @@ inline Range block_range(Index block, Index points) {
   return {block * block_size, std::min((block + 1) * block_size, points)};
 }
 
-/// What threads of a loop have thrown: kept until the loop is over, since an exception that leaves it on a thread ends
-/// the program. Of several the one of the first turn counts, whatever the number of threads.
+/// Exceptions thrown by threads of a loop, kept until the loop is over, since an exception that leaves it on a thread
+/// ends the program. If several are thrown, that of the first iteration counts, whatever the number of threads.
 class Thrown {
 public:
   template <class Body>
@@ -57,7 +57,7 @@ private:
   Index turn_ = 0;
 };
 
-/// Calls `body(i)` for i in [0, count). What a body throws is thrown on when all are through.
+/// Calls `body(i)` for i in [0, count). What a body throws is rethrown when all have finished.
 template <class Body>
 void parallel_for(Index count, const Body& body) {
   Thrown thrown;
@@ -66,7 +66,7 @@ void parallel_for(Index count, const Body& body) {
   thrown.rethrow();
 }
 
-/// The same for bodies that take unequal times: a thread that is free takes the next one.
+/// The same for bodies that take unequal times: a free thread takes the next one.
 template <class Body>
 void parallel_for_unequal(Index count, const Body& body) {
   Thrown thrown;
@@ -81,7 +81,7 @@ void for_each_block(Index points, const Body& body) {
   parallel_for(blocks_of(points), [&](Index b) { body(block_range(b, points)); });
 }
 
-/// Combines `part(range)` of all blocks, from the first to the last; `parts` is working space, kept by the caller so
+/// Combines `part(range)` of all blocks, from the first to the last; `parts` is working space kept by the caller, so
 /// that a step allocates nothing.
 template <class T, class Part, class Combine>
 T reduce_blocks(Index points, std::vector<T>& parts, T start, const Part& part, const Combine& combine) {

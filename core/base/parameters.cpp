@@ -81,7 +81,7 @@ std::string short_text(double x, int digits) {
 }
 
 std::string fixed_text(double x, int digits) {
-  std::array<char, 400> buffer{}; // 309 digits in front of the point at most
+  std::array<char, 400> buffer{}; // at most 309 digits before the decimal point
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::fixed, digits);
   return {buffer.data(), end.ptr};
 }

@@ -1,4 +1,4 @@
-/// Keys of a case and parameters of a law: one description makes the validator, `--help`, `riedel list` and the docs.
+/// Keys of a case and parameters of a law: one description serves the validator, `--help`, `riedel list` and the docs.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace riedel {
 
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<std::int64_t>>;
 
-/// Allowed numbers: lower to upper, each end included or not. For lists the bounds hold for every entry.
+/// Allowed numbers: from lower to upper, each end included or not. For lists the bounds apply to every entry.
 struct Bounds {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -34,9 +34,9 @@ struct Key {
   std::string unit;    ///< "m", "Pa", "deg", "-" (a pure number), "" (not a number)
   Bounds bounds;
   std::string doc;
-  std::vector<std::string> choices = {}; ///< for texts with a closed list; empty: any text
-  bool any_length = false;               ///< for lists: as many entries as the user likes
-  /// Values, as a case spells them, that this build does without, and how to get them, as the end of a sentence.
+  std::vector<std::string> choices = {}; ///< allowed texts; empty: any text
+  bool any_length = false;               ///< for lists: any number of entries
+  /// Values, as written in a case, that this build lacks, and how to get them, as the end of a sentence.
   std::map<std::string, std::string> left_out = {};
 
   /// A number, or a word of `choices` that may also be replaced by a number because the key has a unit (`step =
@@ -72,12 +72,12 @@ private:
 /// Shortest text that reads back to the same bits.
 std::string exact_text(double x);
 
-/// For messages: rounded to so many significant digits.
+/// For messages: rounded to this many significant digits.
 std::string short_text(double x, int digits = 3);
-/// With so many digits behind the point.
+/// With this many digits after the decimal point.
 std::string fixed_text(double x, int digits);
 
-/// Throws InputError naming the key, the value, the unit and the allowed range for the first value out of bounds.
+/// Throws InputError naming the key, the value, the unit and the allowed range of the first value out of bounds.
 void check_bounds(const Keys& keys, const Values& values, std::string_view owner);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// Where the time of a step goes, measured for `riedel bench` and silent otherwise.
+/// Measures where the time of a step goes, for `riedel bench`; does nothing otherwise.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ enum class Phase { stencils, p2g, grid, g2p, kinematics, neighbours, averaging, 
 constexpr std::array<std::string_view, 11> phase_names{
     "stencils", "P2G", "grid", "G2P", "kinematics", "neighbours", "averaging", "law", "filter", "sorting", "other"};
 
-/// The thread that drives the run measures, and waits for the others where a loop ends: its phases add up to the time
-/// of a step, whatever the number of threads.
+/// The main thread measures, including its waits for the others at the end of loops: its phases add up to the time of a
+/// step, whatever the number of threads.
 class PhaseClock {
 public:
   void start(); ///< from zero, in phase `other`
@@ -20,7 +20,7 @@ public:
   [[nodiscard]] bool running() const { return running_; }
   [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
 
-  /// While it lives time counts for its phase, then again for the phase before.
+  /// During its lifetime, time counts for its phase; afterwards for the previous phase again.
   class Lap {
   public:
     Lap(PhaseClock& clock, Phase phase) {
@@ -39,7 +39,7 @@ public:
 
 private:
   static bool on_first_thread();
-  Phase change(Phase to); ///< @return the phase until now
+  Phase change(Phase to); ///< @return the previous phase
 
   std::array<double, phase_names.size()> seconds_{};
   std::chrono::steady_clock::time_point since_{};

@@ -1,4 +1,5 @@
-/// Name to factory, for everything a case can name: schemes, laws, searches, averagers, boundary conditions.
+/// Maps names to factories for everything that a case can name: schemes, laws, searches, averagers, boundary
+/// conditions.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -11,7 +12,7 @@
 
 namespace riedel {
 
-/// What `riedel list` tells of one entry.
+/// What `riedel list` prints for one entry.
 struct Description {
   std::string name;
   std::string summary;  ///< one line
@@ -31,18 +32,18 @@ public:
 
   explicit Registry(std::string kind) : kind_(std::move(kind)) {}
 
-  /// Throws PluginError when the name is taken.
+  /// Throws PluginError if the name is taken.
   void add(Description description, std::function<Make> make) {
     if (known(description.name)) throw PluginError("two " + kind_ + "s are named '" + description.name + "'");
     entries_.push_back({std::move(description), std::move(make)});
   }
-  /// Names an entry that this build does without. @param how to get it, as the end of a sentence
+  /// Names an entry that this build lacks. @param how to get it, as the end of a sentence
   void leave_out(std::string name, std::string how) { left_out_.insert_or_assign(std::move(name), std::move(how)); }
   [[nodiscard]] const std::map<std::string, std::string>& left_out() const { return left_out_; }
   [[nodiscard]] bool known(std::string_view name) const {
     return std::ranges::any_of(entries_, [&](const Entry& e) { return e.description.name == name; });
   }
-  /// Throws InputError that lists the known names, or tells how to get one that was left out.
+  /// Throws InputError that lists the known names, or says how to get an entry that was left out.
   [[nodiscard]] const Entry& find(std::string_view name) const {
     for (const Entry& entry : entries_)
       if (entry.description.name == name) return entry;

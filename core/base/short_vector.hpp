@@ -1,11 +1,10 @@
-/// Two, four or eight doubles that belong to one point or node, worked on at once; and eight such rows made from
-/// columns.
+/// Two, four or eight doubles of one point or node, processed at once; and eight such rows made from columns.
 #pragma once
 
 namespace riedel {
 
 namespace detail {
-/// Processors' vectors of doubles, which may stand wherever doubles may.
+/// The processor's vectors of doubles, allowed at any address where a double is allowed.
 template <int Size>
 struct LanesOf;
 template <>
@@ -28,7 +27,7 @@ struct ShortVector {
   Lanes lanes;
 
   ShortVector() = default;
-  ShortVector(double value) { // NOLINT: a number is a few equal numbers
+  ShortVector(double value) { // NOLINT: a number converts to equal numbers
     lanes = value - Lanes{};  // a vector of equal numbers
   }
   static ShortVector load(const double* from) {

@@ -24,7 +24,7 @@ void rotate_out(Mat<3>& a, Mat<3>& v, int i, int j) {
 } // namespace
 
 Spectral spectral(const Sym<double>& given) {
-  constexpr int max_sweeps = 20; // the error falls quadratically: four or five are enough
+  constexpr int max_sweeps = 20; // convergence is quadratic: four or five are enough
   Mat<3> a = to_matrix(given);
   Spectral answer{.values = {}, .directions = Mat<3>::Identity()};
   const double negligible = 1e-34 * a.squaredNorm();

@@ -5,13 +5,13 @@
 
 namespace riedel {
 
-/// a = Σ values_i v_i ⊗ v_i, greatest value first; the columns of `directions` are the unit vectors v_i.
+/// a = Σ values_i v_i ⊗ v_i, largest value first; the columns of `directions` are the unit vectors v_i.
 struct Spectral {
   Vec<3> values;
   Mat<3> directions;
 };
 
-/// To round-off, equal values included. A tensor that is not finite gives values that are not either.
+/// Accurate to round-off, also for equal values. A tensor that is not finite gives values that are not finite.
 Spectral spectral(const Sym<double>& a);
 
 /// Σ values_i v_i ⊗ v_i.
@@ -26,7 +26,8 @@ Sym<double> isotropic_function(const Spectral& a, const F& f) {
 /// a b a
 Sym<double> congruent(const Sym<double>& a, const Sym<double>& b);
 
-/// Principal values alone, greatest first, for packs too; where two are nearly equal good to 1e-8 of the deviator only.
+/// Principal values alone, largest first, also for packs; nearly equal values are accurate to 1e-8 of the deviator
+/// only.
 template <class Real>
 std::array<Real, 3> principal_values(const Sym<Real>& a) {
   const Sym<Real> s = deviator(a);

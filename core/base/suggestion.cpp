@@ -29,9 +29,9 @@ int edit_distance(std::string_view a, std::string_view b) {
 namespace {
 
 constexpr int far = 1000;
-constexpr std::size_t longest_word = 100; ///< what is longer is no word that was mistyped
+constexpr std::size_t longest_word = 100; ///< anything longer is not a mistyped word
 
-/// As the user may have meant it: with typing errors, cut short, or with another section in front.
+/// Distance for words with typing errors, cut short, or with another section in front.
 int distance_meant(std::string_view word, std::string_view known) {
   const bool cut_short = word.size() >= 3 && known.starts_with(word);
   const bool has_section = known.find('.') != std::string_view::npos;
@@ -44,12 +44,12 @@ int distance_meant(std::string_view word, std::string_view known) {
 std::string nearest(std::string_view word, std::span<const std::string> known) {
   if (word.size() > longest_word) return "";
   const int size = static_cast<int>(last_part(word).size());
-  const int maximum = std::min(std::max(1, size / 3), size - 1); // of "6" every other digit would be one letter away
+  const int maximum = std::min(std::max(1, size / 3), size - 1); // every other digit is one letter away from "6"
   int best = maximum + 1;
   std::string answer;
   for (const std::string& candidate : known) {
     const int distance = distance_meant(word, candidate);
-    if (distance < best && distance < static_cast<int>(word.size())) { // else not one letter is kept
+    if (distance < best && distance < static_cast<int>(word.size())) { // otherwise no letter is kept
       best = distance;
       answer = candidate;
     }

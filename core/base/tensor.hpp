@@ -16,7 +16,7 @@ struct Sym {
   static Sym identity() { return {{Real(1.0), Real(1.0), Real(1.0), Real(0.0), Real(0.0), Real(0.0)}}; }
 };
 
-/// Place of component ij among the six.
+/// Index of component ij among the six.
 constexpr std::size_t mandel(int i, int j) { return static_cast<std::size_t>(i == j ? i : i + j + 2); }
 
 template <class Real>

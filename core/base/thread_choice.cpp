@@ -10,13 +10,13 @@ namespace riedel {
 
 namespace {
 
-constexpr double better = 0.95;  ///< of the time that the choice takes: a change must gain this much
-constexpr double slow = 1.5;     ///< times what was known of the choice: reason to look at once
-constexpr double hopeless = 4.0; ///< times what the choice takes: reason to end a look
-constexpr double first_interval = 1.0, longest_interval = 30.0; ///< between looks [s]
-constexpr double seconds_per_loss = 50.0;                       ///< without a look after one that lost a second
-constexpr int enough_steps = 10;                                ///< of a window
-constexpr double shortest_window = 2e-3, shortest_watch = 0.05; ///< in a look, and between looks [s]
+constexpr double better = 0.95;  ///< a change must bring the time below this share of the present one
+constexpr double slow = 1.5;     ///< slowdown of the present choice that triggers a comparison at once
+constexpr double hopeless = 4.0; ///< slowdown over the present choice at which a comparison is given up
+constexpr double first_interval = 1.0, longest_interval = 30.0; ///< between comparisons [s]
+constexpr double seconds_per_loss = 50.0; ///< without a comparison per second lost by the last one
+constexpr int enough_steps = 10;          ///< in a window
+constexpr double shortest_window = 2e-3, shortest_watch = 0.05; ///< in a comparison, and between comparisons [s]
 
 std::vector<int> levels_of(ThreadRange range) {
   std::vector<int> levels;
@@ -37,7 +37,7 @@ void ThreadChoice::Window::add(double step) {
   seconds += step;
 }
 
-/// Long enough to mean something; steps of a huge case are timed one by one.
+/// Long enough to be meaningful; steps of a huge case are timed one by one.
 bool ThreadChoice::Window::complete(double shortest) const {
   constexpr double longest = 0.2; // [s]
   return (steps >= enough_steps && seconds >= shortest) || seconds >= longest;
@@ -66,7 +66,7 @@ void ThreadChoice::end_step() {
     watch(step);
 }
 
-/// Between looks: is it time for one?
+/// Between comparisons: starts one if it is time.
 void ThreadChoice::watch(double step) {
   window_.add(step);
   if (!window_.complete(known_ == 0.0 ? shortest_window : shortest_watch)) return;
@@ -95,7 +95,7 @@ void ThreadChoice::go_on(double step) {
   const bool others_turn = level_ != choice_, wakes = !window_.warm;
   window_.add(step);
   if (others_turn) look_.lost += std::max(0.0, step - look_.own);
-  const double spent = wakes ? step : window_.seconds; // waking is not timed, but must not take that long
+  const double spent = wakes ? step : window_.seconds; // waking threads is not timed, but must not take that long
   if (others_turn && spent > hopeless * std::max(enough_steps * look_.own, shortest_window)) return decide(true);
   if (!window_.complete(shortest_window)) return;
   double& minimum = others_turn ? look_.others : look_.own;
@@ -114,7 +114,7 @@ void ThreadChoice::decide(bool given_up) {
   looking_ = false;
   window_ = {};
   const bool at_end = looked == Direction::more ? choice_ + 1 == levels_.size() : choice_ == 0;
-  if (changes && !at_end) return start_look(looked); // on in the direction that pays
+  if (changes && !at_end) return start_look(looked); // continue in the direction that pays off
   direction_ = looked == Direction::more ? Direction::fewer : Direction::more;
   interval_ = changes ? first_interval : std::min(2.0 * interval_, longest_interval);
   const double now = clock_();

@@ -1,5 +1,5 @@
-/// How many threads a step takes, found out while the program runs. Results do not depend on the number of threads, so
-/// it may change from step to step.
+/// Chooses the number of threads while the program runs. Results do not depend on the number of threads, so it may
+/// change from step to step.
 #pragma once
 
 #include <cstdint>
@@ -8,24 +8,24 @@
 
 namespace riedel {
 
-/// Numbers of threads that may be taken; `least` = `most`: exactly so many.
+/// Range of the number of threads; if `minimum` = `maximum`, it is fixed.
 struct ThreadRange {
   int minimum = 1, maximum = 1;
 };
 
-/// Seconds on a clock that only goes forward [s].
+/// A monotonic clock [s].
 double steady_seconds();
 
-/// Threads that wait for each other spin, which is fast as long as each has a processor of its own. On a busy machine a
-/// step can take a hundred times as long as on one thread, and a small case is fastest on one anyway. This class times
-/// the steps, compares the present number with half and with twice as many for a few steps, and keeps the better one.
-/// It looks again when steps have become slow and otherwise now and then, so rarely that looking costs 2 % at most.
+/// Threads that wait for each other spin, which is fast if each has a processor to itself. On a busy machine a step can
+/// take a hundred times as long as on one thread, and a small case is fastest on one thread anyway. This class times
+/// the steps, compares the present number with half and with twice as many for a few steps, and keeps the faster one.
+/// It compares again when steps have become slow, and otherwise so rarely that comparing costs at most 2 %.
 class ThreadChoice {
 public:
   using Clock = std::function<double()>;
   explicit ThreadChoice(ThreadRange range, Clock clock = steady_seconds);
 
-  /// Does `work`, one step, on the number of threads whose turn it is.
+  /// Runs `work`, one step, on the number of threads whose turn it is.
   template <class Work>
   void step(const Work& work) {
     if (levels_.size() == 1) return work();
@@ -35,25 +35,25 @@ public:
   }
 
   [[nodiscard]] int threads() const { return levels_[choice_]; } ///< the present choice
-  [[nodiscard]] int max_used() const;                            ///< by most of the steps so far
+  [[nodiscard]] int max_used() const; ///< the number used in the largest share of steps so far
 
 private:
   /// Steps on one level, timed.
   struct Window {
     int steps = 0;
     double seconds = 0.0;
-    bool warm = false; ///< past its first step, which wakes threads and is not timed
+    bool warm = false; ///< the first step, which wakes threads and is not timed, is over
     void add(double step);
     [[nodiscard]] bool complete(double shortest) const;
     [[nodiscard]] double mean() const { return seconds / steps; } ///< [s]
   };
-  /// The choice against a neighbour, in turns; of each the better of two windows counts, as what else runs on the
-  /// machine makes a window slow now and then, never fast.
+  /// Alternates between the choice and a neighbour. The better of two windows counts for each, since other load on the
+  /// machine occasionally makes a window slower, never faster.
   struct Look {
     std::size_t other;  ///< level
-    int windows = 0;    ///< complete ones, the choice's at even numbers
-    double own, others; ///< least mean [s]
-    double lost = 0.0;  ///< time beyond what the choice would have taken [s]
+    int windows = 0;    ///< complete windows; even ones belong to the choice
+    double own, others; ///< smallest mean [s]
+    double lost = 0.0;  ///< extra time over what the choice would have taken [s]
   };
 
   enum class Direction { fewer, more };
@@ -65,15 +65,15 @@ private:
   void go_on(double step);
   void decide(bool given_up);
 
-  std::vector<int> levels_; ///< numbers of threads, each about twice the one before
+  std::vector<int> levels_; ///< numbers of threads, each about twice the previous
   Clock clock_;
   std::vector<std::int64_t> steps_;       ///< taken on each level
-  std::size_t choice_ = 0, level_ = 0;    ///< level_: of this step
-  Direction direction_ = Direction::more; ///< of the next look
+  std::size_t choice_ = 0, level_ = 0;    ///< level_: that of this step
+  Direction direction_ = Direction::more; ///< of the next comparison
   bool looking_ = false;
   Look look_{};
   Window window_{};
-  double known_ = 0.0; ///< least mean of the choice at the last look [s]; 0: there was none
+  double known_ = 0.0; ///< smallest mean of the choice in the last comparison [s]; 0: none yet
   double began_ = 0.0, next_look_ = 0.0, next_early_look_ = 0.0, interval_ = 0.0; ///< [s]
 };
 

@@ -1,4 +1,4 @@
-/// Eight rows of four doubles from four packs, and back.
+/// Transposes four packs into eight rows of four doubles, and back.
 #pragma once
 
 #include "core/base/pack.hpp"
@@ -8,7 +8,7 @@
 
 namespace riedel {
 
-/// Eight rows of four doubles, one for each of eight points: packs are their columns.
+/// Eight rows of four doubles, one for each of eight points; packs are the columns.
 class Transpose8x4 {
 public:
   [[nodiscard]] double* row(Index k) { return row_[k].data(); }
@@ -41,9 +41,9 @@ public:
 
 private:
   using Eight = ShortVector<8>::Lanes;
-  // By reference: vectors that a processor lacks cannot be returned in one way by all compilers.
+  // By reference: compilers disagree on how to return vectors that the processor lacks.
   static void copy(const Pack& pack, Eight& lanes) { std::memcpy(&lanes, &pack, sizeof(lanes)); }
-  /// Not by std::bit_cast, which takes a reference to something as aligned as clang has its vectors.
+  /// Not std::bit_cast, whose reference parameter assumes more alignment than clang gives its vectors.
   static Pack pack(const Eight& lanes) { return __builtin_bit_cast(Pack, lanes); }
   /// Rows k and k + 4.
   void put_pair(Index k, const Eight& rows) {

@@ -1,4 +1,4 @@
-/// The words every room uses: indices, small vectors and matrices, half-open ranges.
+/// Basic types for all folders: indices, small vectors and matrices, half-open ranges.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ struct Range {
   [[nodiscard]] Index size() const { return end - begin; }
 };
 
-constexpr int pack_size = 8;      ///< doubles in a pack, whatever the machine's registers hold
+constexpr int pack_size = 8;      ///< doubles in a pack, whatever the width of the machine's registers
 constexpr Index block_size = 256; ///< points handled by one virtual call; a multiple of pack_size
 
 constexpr int power(int base, int exponent) { return exponent == 0 ? 1 : base * power(base, exponent - 1); }

@@ -1,4 +1,4 @@
-/// Keeps the process as it is while foreign code does as it likes.
+/// Preserves the state of the process while foreign code runs.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace riedel {
 
-/// What the processor does with roundings, tiny numbers and traps is again as before when it ends: a library that was
-/// compiled with -ffast-math changes it by being loaded.
+/// Restores the processor's handling of rounding, subnormal numbers and traps on destruction: loading a library that
+/// was compiled with -ffast-math changes it.
 class KeptArithmetic {
 public:
   KeptArithmetic() { std::fegetenv(&before_); }
@@ -21,8 +21,8 @@ private:
   std::fenv_t before_{};
 };
 
-/// The same for signal handlers, the working folder, the locale and the three standard streams, while a library is
-/// loaded. What it prints to standard output goes to the error output, since results go to the former.
+/// The same for signal handlers, the working folder, the locale and the three standard streams while a library is
+/// loaded. Its standard output goes to the error output, since standard output carries results.
 class Undisturbed {
 public:
   Undisturbed();
@@ -34,7 +34,7 @@ private:
   static constexpr int signals = 32; ///< 1 … 31
   KeptArithmetic arithmetic_;
   std::array<struct sigaction, signals> handlers_{};
-  std::array<int, 3> streams_{}; ///< copies of the descriptors; −1: it was not open
+  std::array<int, 3> streams_{}; ///< copies of the descriptors; −1: not open
   int folder_ = -1;
   std::string locale_;
 };

@@ -19,7 +19,7 @@ constexpr const char* this_program = "/proc/self/exe";
 
 [[noreturn]] void become(const std::vector<char*>& words, int messages, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127); // it died before the line above
+  if (getppid() != parent) _exit(127); // the parent died before the line above
   setpgid(0, 0);
   if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
   dup2(messages, STDERR_FILENO);
@@ -32,8 +32,8 @@ constexpr const char* this_program = "/proc/self/exe";
 ChildProcess::ChildProcess(const std::vector<std::string>& words) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-    throw RunError(std::string("no pipe for another process: ") + std::strerror(errno));
-  std::vector<char*> pointers{const_cast<char*>("riedel")}; // execv changes none of them
+    throw RunError(std::string("cannot create a pipe for another process: ") + std::strerror(errno));
+  std::vector<char*> pointers{const_cast<char*>("riedel")}; // execv does not change them
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   const pid_t parent = getpid();
@@ -44,7 +44,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words) {
   if (process_ < 0) {
     const std::string why = std::strerror(errno);
     close(pipe_);
-    throw RunError("another process cannot be started: " + why);
+    throw RunError("cannot start another process: " + why);
   }
 }
 

@@ -1,4 +1,4 @@
-/// This program started once more, with other words.
+/// This program, started again with other arguments.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace riedel {
 
-/// Runs beside this process, in a group of its own so that Ctrl-C is this process's to pass on, and is killed by the
-/// system when this process dies, however it dies. What it prints to standard output is dropped.
+/// Runs alongside this process, in its own process group, so that this process decides whether to pass on Ctrl-C. The
+/// system kills it when this process ends in any way. Its standard output is discarded.
 class ChildProcess {
 public:
-  /// @param words behind the program's name   @throws RunError when no process can be had
+  /// @param words arguments after the program's name @throws RunError if no process can be started
   explicit ChildProcess(const std::vector<std::string>& words);
-  ~ChildProcess(); ///< kills it if it runs
+  ~ChildProcess(); ///< kills it if it is running
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// To be asked now and then, lest it wait for somebody to read what it prints to standard error.
+  /// To be called now and then, so that it does not block on a full pipe of standard error.
   [[nodiscard]] bool running();
   void send(int signal) const;
   /// How it ended: its exit code, or minus the signal that ended it.
@@ -28,7 +28,7 @@ private:
   void read_messages();
 
   pid_t process_ = -1;
-  int pipe_ = -1; ///< end to read from
+  int pipe_ = -1; ///< the read end
   int ending_ = 0;
   std::string messages_;
 };

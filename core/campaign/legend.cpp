@@ -11,12 +11,12 @@ namespace riedel {
 
 namespace {
 
-/// What a key is called in a legend, and the unit it is shown in.
+/// The symbol of a key in a legend, and the unit in which it is shown.
 struct Symbol {
   const char* key;
   const char* symbol;
-  const char* unit;  ///< of the case file
-  const char* shown; ///< unit in the legend
+  const char* unit;  ///< in the case file
+  const char* shown; ///< in the legend
   double factor;     ///< from one to the other
 };
 
@@ -40,7 +40,7 @@ std::string without_quotes(const std::string& text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// The number that a value means in that unit; none for words.
+/// The number that a value represents in that unit; none for words.
 std::optional<double> number_of(const std::string& value, const std::string& unit) {
   std::size_t end = 0;
   try {
@@ -96,7 +96,7 @@ bool varies(std::span<const std::vector<Setting>> runs, const std::string& key) 
   return std::ranges::any_of(runs, [&](const auto& run) { return value_of(run, key) != value_of(runs.front(), key); });
 }
 
-/// The key whose values have a colour each; empty where nothing varies.
+/// The key whose values determine the colour; empty if nothing varies.
 std::string key_of_colors(std::span<const std::vector<Setting>> runs) {
   if (varies(runs, "scheme")) return "scheme";
   for (const Setting& setting : runs.front())
@@ -104,7 +104,7 @@ std::string key_of_colors(std::span<const std::vector<Setting>> runs) {
   return "";
 }
 
-/// Place of a thing among those seen, a new one at the end.
+/// Index of a value among those seen; new ones are appended.
 template <class Thing>
 std::size_t place_of(std::vector<Thing>& seen, const Thing& thing) {
   const auto found = std::ranges::find(seen, thing);
@@ -126,7 +126,7 @@ std::string legend_label(const std::vector<Setting>& settings, const Keys& keys)
 }
 
 std::size_t color_of_scheme(std::vector<std::string>& schemes, const std::string& scheme) {
-  return place_of(schemes, scheme); // those of plug-ins come behind, in the order in which they are drawn
+  return place_of(schemes, scheme); // those of plug-ins follow, in the order in which they are drawn
 }
 
 std::vector<Pen> pens_of(std::span<const std::vector<Setting>> runs, std::vector<std::string> schemes) {

@@ -19,14 +19,14 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
-/// The names of all keys that one variant or another has: a law brings its own.
+/// The names of all keys of any variant: each law adds its own.
 std::set<std::string> known_keys(const RunKind& kind, const std::vector<Variant>& variants,
                                  const CatalogueFor& catalogue_for) {
   std::set<std::string> names;
   for (const Variant& variant : variants) {
     try {
       for (const Key& key : kind.cases.keys(variant.given, catalogue_for(variant.given))) names.insert(key.name);
-    } catch (const PluginError&) {} // the run's row will tell
+    } catch (const PluginError&) {} // the run's row will show it
   }
   return names;
 }
@@ -86,7 +86,7 @@ Plan plan_of(const RunKind& kind, std::string title, std::string command, const 
   for (const Variant& variant : variants) plan.runs.push_back(planned(kind, variant, catalogue_for, plan.warnings));
   refuse_shared_names(plan.runs);
   if (std::ranges::none_of(plan.runs, [](const PlannedRun& run) { return run.refusal.empty(); }))
-    throw InputError("not one of the runs can begin; the first, " + plan.runs.front().name + ": " +
+    throw InputError("none of the runs can start; the first, " + plan.runs.front().name + ": " +
                      plan.runs.front().refusal);
   return plan;
 }

@@ -6,7 +6,7 @@
 namespace riedel {
 
 namespace {
-constexpr int deepest = 16;                    ///< many brackets would exhaust the stack of those who walk through them
+constexpr int deepest = 16;                    ///< deep nesting would exhaust the stack of recursive readers
 constexpr std::uintmax_t largest = 1ULL << 30; ///< a campaign of a hundred thousand runs [bytes]
 } // namespace
 
@@ -14,7 +14,7 @@ nlohmann::ordered_json read_json(const std::filesystem::path& file) {
   using nlohmann::ordered_json;
   const std::string text = read_input_file(file, largest);
   const auto not_too_deep = [&](int depth, ordered_json::parse_event_t, const ordered_json&) {
-    if (depth > deepest) throw InputError(file.string() + ": is nested too deep");
+    if (depth > deepest) throw InputError(file.string() + ": is nested too deeply");
     return true;
   };
   try {

@@ -1,4 +1,4 @@
-/// JSON files that may have been damaged, or written by somebody else.
+/// JSON files that may be damaged or written by another program.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace riedel {
 
-/// @throws InputError that names the file, for what cannot be read, is no JSON, or is nested deeper than anything that
-/// Riedel writes
+/// @throws InputError that names the file if it cannot be read, is not JSON, or is nested more deeply than anything
+/// that Riedel writes
 nlohmann::ordered_json read_json(const std::filesystem::path& file);
 
 } // namespace riedel

@@ -47,10 +47,10 @@ ordered_json json_of(const Plan& plan) {
           {"runs", runs}};
 }
 
-/// What is to be shown in one line, or to be a folder's name, in a file that anybody may have written.
+/// Checks names that are shown in one line or used as a folder's name, since the file may come from anywhere.
 void check_texts(const PlannedRun& run) {
   if (!is_file_name(run.name) || std::ranges::find(own_files, run.name) != own_files.end())
-    throw std::runtime_error(ordered_json(run.name).dump() + " is no name of a run"); // with no control character
+    throw std::runtime_error(ordered_json(run.name).dump() + " is not a valid run name"); // without control characters
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::ranges::any_of(run.label + run.legend, is_control))
     throw std::runtime_error("a run's label has control characters");
@@ -72,7 +72,7 @@ PlannedRun run_of(const ordered_json& json) {
 
 const RunKind& kind_named(RunKinds kinds, const std::string& name) {
   const auto found = std::ranges::find(kinds, name, [](const RunKind& kind) { return kind.cases.name; });
-  if (found == kinds.end()) throw std::runtime_error(ordered_json(name).dump() + " is no kind of case");
+  if (found == kinds.end()) throw std::runtime_error(ordered_json(name).dump() + " is not a kind of case");
   return *found;
 }
 
@@ -81,25 +81,25 @@ const PlannedRun* run_named(const Plan& plan, const std::string& name) {
   return found == plan.runs.end() ? nullptr : &*found;
 }
 
-/// A run that was refused once has no case; it may have one now.
+/// A run that was refused has no case; it may have one now.
 bool differ(const PlannedRun& a, const PlannedRun& b) {
   return a.refusal.empty() && b.refusal.empty() && a.case_text != b.case_text;
 }
 
-/// Why the plan is none of the study that the folder holds; empty if it is.
+/// Why the plan does not belong to the study in the folder; empty if it does.
 std::string difference(const Plan& before, const Plan& plan) {
   if (before.kind->cases.name != plan.kind->cases.name)
     return "its runs are of 'riedel " + before.kind->cases.name + "'";
   bool shared = false;
   for (const PlannedRun& run : plan.runs)
     if (const PlannedRun* old = run_named(before, run.name)) {
-      if (differ(*old, run)) return "its run " + run.name + " has another case";
+      if (differ(*old, run)) return "its run " + run.name + " has a different case";
       shared = true;
     }
   return shared ? "" : "it has no run in common with this one";
 }
 
-/// The plan with the runs that only the folder's record has behind its own.
+/// Appends to the plan the runs that only the folder's record has.
 Plan united(const fs::path& folder, const Plan& before, const Plan& plan) {
   if (const std::string why = difference(before, plan); !why.empty())
     throw InputError("--out " + folder.string() + ": holds another campaign, '" + before.command + "' with " +
@@ -111,7 +111,7 @@ Plan united(const fs::path& folder, const Plan& before, const Plan& plan) {
   return all;
 }
 
-/// Only what a campaign wrote: its runs and its own files, the record last, so that it can be done again.
+/// Removes only what a campaign wrote: its runs and its own files, the record last, so that this can be repeated.
 void remove_campaign(const fs::path& folder, const std::string& command, RunKinds kinds) {
   const Plan before = read_campaign(folder, kinds);
   for (const PlannedRun& run : before.runs) require_idle(folder / run.name, command);
@@ -140,7 +140,7 @@ Plan read_campaign(const fs::path& folder, RunKinds kinds) {
   if (!fs::exists(path)) throw InputError(path.string() + ": cannot be read: the folder holds no campaign");
   try {
     const ordered_json json = read_json(path);
-    Plan plan{.kind = &kind_named(kinds, json.value("kind", "biaxial")), // of which all campaigns once were
+    Plan plan{.kind = &kind_named(kinds, json.value("kind", "biaxial")), // the only kind of earlier versions
               .title = json.at("title"),
               .command = json.at("command"),
               .runs = {}};

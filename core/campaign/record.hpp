@@ -1,4 +1,4 @@
-/// campaign.json: what a folder's campaign consists of, every case with it.
+/// campaign.json: what the campaign in a folder consists of, with every case.
 #pragma once
 
 #include "core/campaign/plan.hpp"
@@ -6,22 +6,22 @@
 
 namespace riedel {
 
-/// All kinds that a campaign may be of.
+/// All kinds of case that a campaign may consist of.
 using RunKinds = std::span<const RunKind>;
 
-/// A folder that holds a campaign, this process's own while it lives.
+/// A folder that holds a campaign, locked by this process during its lifetime.
 struct OpenCampaign {
   OutputFolder folder;
-  Plan plan; ///< the runs that were asked for, and behind them those that the folder held before
+  Plan plan; ///< the requested runs, followed by those that were in the folder before
 };
 
-/// Makes the folder hold this campaign. An empty or new folder receives it. One that holds a campaign with the same
-/// case in a run of the same name takes the other runs in as well: what is finished stays, whatever more is asked for.
-/// With `force`, what another campaign left is removed.
-/// @throws InputError that names the other campaign, or the other results, that the folder holds, or who writes to it
+/// Prepares the folder for this campaign. A new or empty folder is filled. If it holds a campaign that has a run of the
+/// same name with the same case, the other runs are added: finished runs stay, whatever else is requested. With
+/// `force`, the files of another campaign are removed.
+/// @throws InputError that names the other campaign or results in the folder, or the process that writes to it
 OpenCampaign open_campaign(const std::filesystem::path& folder, const Plan& plan, bool force, RunKinds kinds);
 
-/// @throws InputError when the folder holds none, or one whose record cannot be understood
+/// @throws InputError if the folder holds no campaign, or its record cannot be understood
 Plan read_campaign(const std::filesystem::path& folder, RunKinds kinds);
 
 } // namespace riedel

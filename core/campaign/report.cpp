@@ -29,7 +29,7 @@ std::vector<RunResult> with_legend(Runs runs) {
   return called;
 }
 
-/// With the colour and the dashes of what each run differs in.
+/// With the colour and the dashes of the settings in which each run differs.
 Plot campaign_curves(const RunKind& kind, Runs runs, const std::string& title) {
   std::vector<std::vector<Setting>> settings;
   for (const RunResult& run : runs) settings.push_back(run.settings);
@@ -45,14 +45,14 @@ Plot campaign_curves(const RunKind& kind, Runs runs, const std::string& title) {
   return plot;
 }
 
-/// What a run has beside its scheme.
+/// The settings of a run except its scheme.
 std::vector<Setting> but_for_scheme(const RunResult& run) {
   std::vector<Setting> rest = run.settings;
   std::erase_if(rest, [](const Setting& setting) { return setting.first == "scheme"; });
   return rest;
 }
 
-/// Runs that are alike but for their scheme next to each other, otherwise in their order.
+/// Sorts runs that differ only in their scheme next to each other, otherwise keeps their order.
 std::vector<const RunResult*> by_scheme(Runs runs) {
   std::vector<const RunResult*> sorted;
   for (const RunResult& run : runs) {
@@ -63,7 +63,7 @@ std::vector<const RunResult*> by_scheme(Runs runs) {
   return sorted;
 }
 
-/// Nine at most, and whole rows of schemes.
+/// At most nine, and whole rows of schemes.
 std::size_t panels_of_a_picture(Runs runs) {
   constexpr std::size_t maximum = 9;
   const std::vector<Setting> first = runs.empty() ? std::vector<Setting>{} : but_for_scheme(runs.front());
@@ -72,7 +72,7 @@ std::size_t panels_of_a_picture(Runs runs) {
   return alike == 0 || alike > maximum ? maximum : maximum / alike * alike;
 }
 
-/// The first of what a run differs in above the rest.
+/// The first setting in which a run differs goes above the rest.
 Panel panel_of(const Frame& frame, const std::string& label) {
   const std::size_t comma = label.find(", ");
   return {&frame, label.substr(0, comma), comma == std::string::npos ? "" : label.substr(comma + 2)};
@@ -96,10 +96,10 @@ Page campaign_report(const Plan& plan, Runs results) {
   page.facts(provenance(plan.command, runs));
   const Plot curves = campaign_curves(*plan.kind, runs, "");
   if (curves.series.empty())
-    page.paragraph("No run has left a curve.");
+    page.paragraph("No run has produced a curve.");
   else
-    page.plot(curves, plan.kind->curves_caption + " A click on a run picks it out, here, among the "
-                                                  "pictures and in the tables; another click, or Escape, lets it go.");
+    page.plot(curves, plan.kind->curves_caption + " Click a run to highlight it here, in the pictures and in the "
+                                                  "tables; click again or press Escape to undo this.");
   const double strain = plan.kind->has_frames ? common_strain(runs) : 0.0;
   bool first = true;
   for (const auto& [heading, table] : plan.kind->tables(runs)) {

@@ -11,13 +11,13 @@ namespace {
 using nlohmann::ordered_json;
 using Row = std::vector<Setting>; ///< column, cell
 
-/// A figure that a run does not have is an empty cell.
+/// A missing value is an empty cell.
 std::string text_of(const ordered_json& value) {
   if (value.is_null()) return "";
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The figures of a summary; inner ones have the names of both.
+/// The values of a summary; nested ones have the names of both levels.
 void flatten(const ordered_json& json, const std::string& prefix, Row& row) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object())
@@ -32,7 +32,7 @@ Row row_of(const RunResult& result) {
   row.insert(row.end(), result.settings.begin(), result.settings.end());
   Row figures;
   if (result.summary.is_object()) flatten(result.summary, "", figures);
-  for (Setting& figure : figures) // a scheme that is varied stands in its column already
+  for (Setting& figure : figures) // a varied scheme already has its column
     if (std::ranges::find(row, figure.first, &Setting::first) == row.end()) row.push_back(std::move(figure));
   return row;
 }

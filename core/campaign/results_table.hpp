@@ -1,15 +1,15 @@
-/// results.csv: a row per run.
+/// results.csv: one row per run.
 #pragma once
 
 #include "core/campaign/run_result.hpp"
 
 namespace riedel {
 
-/// Columns: run, status, reason, every varied key, every figure of summary.json, those of the band as "band.…". A run
-/// without a figure has an empty cell. Texts with commas or quotes are quoted.
+/// Columns: run, status, reason, every varied key, every value of summary.json, those of the band as "band.…". A
+/// missing value is an empty cell. Texts with commas or quotes are quoted.
 std::string results_csv(const std::vector<RunResult>& results);
 
-/// The same in short, for a terminal.
+/// A short form for a terminal.
 std::string results_text(const RunKind& kind, const std::vector<RunResult>& results);
 
 } // namespace riedel

@@ -34,10 +34,10 @@ std::string last_error(const std::string& messages) {
 
 std::string ending_text(int ending) {
   if (ending < 0) return "ended by signal " + std::to_string(-ending) + " (" + strsignal(-ending) + ")";
-  return "ended with exit code " + std::to_string(ending) + " and without a result";
+  return "ended with exit code " + std::to_string(ending) + " without a result";
 }
 
-/// A column's number in the last whole row of a table that is being written; 0 where there is none.
+/// A column's number in the last complete row of a table that is being written; 0 if there is none.
 double last_of(const fs::path& history, const std::string& column) {
   constexpr std::streamoff tail = 1024; // some rows
   std::ifstream file(history, std::ios::binary | std::ios::ate);
@@ -46,7 +46,7 @@ double last_of(const fs::path& history, const std::string& column) {
   file.seekg(0);
   std::string head, line, whole;
   std::getline(file, head);
-  std::size_t place = 0; // of the column
+  std::size_t place = 0; // index of the column
   std::istringstream names(head);
   for (std::string name; std::getline(names, name, ',') && name != column;) ++place;
   file.seekg(std::max(static_cast<std::streamoff>(file.tellg()), size - tail));
@@ -58,7 +58,7 @@ double last_of(const fs::path& history, const std::string& column) {
   return std::strtod(cell.c_str(), nullptr);
 }
 
-/// One of the runs that go on.
+/// One of the running runs.
 struct Worker {
   Worker(const PlannedRun& its_run, fs::path its_folder, fs::path its_curve, std::string strain,
          const std::vector<std::string>& words)
@@ -74,10 +74,10 @@ struct Worker {
   ChildProcess process;
   bool told_to_stop = false;
 
-  /// Never all of it: files are still to be written then.
+  /// At most 99 %, since files are still to be written after the last step.
   [[nodiscard]] double share_done() const {
     const double share = run.final_strain > 0.0 ? std::abs(last_of(curve, column)) / run.final_strain : 0.0;
-    return share > 0.0 ? std::min(share, 0.99) : 0.0; // also where there is no number
+    return share > 0.0 ? std::min(share, 0.99) : 0.0; // also if it is NaN
   }
 };
 
@@ -114,7 +114,7 @@ private:
     return result.status != RunStatus::done;
   }
 
-  /// Runs that the machine's memory holds at the same time.
+  /// Number of runs that fit into the machine's memory at the same time.
   [[nodiscard]] std::size_t that_fit() const {
     double maximum = 0.0;
     for (const PlannedRun* run : waiting_) maximum = std::max(maximum, run->memory);
@@ -135,18 +135,18 @@ private:
     workers_.emplace_back(run, folder, folder / kind_.curve_file, kind_.axes(its_case).x, words);
   }
 
-  /// Leaves the case in the folder and no summary: a run that has one counts as ended. False when another process
-  /// writes there.
+  /// Leaves the case and no summary in the folder: a run that has one counts as finished.
+  /// @return false if another process writes there
   [[nodiscard]] bool make_ready(const fs::path& folder, const PlannedRun& run) const {
     try {
-      if (fs::is_symlink(folder)) throw RunError(folder.string() + ": is a symbolic link, which no run follows");
+      if (fs::is_symlink(folder)) throw RunError(folder.string() + ": is a symbolic link, which runs do not follow");
       fs::create_directories(folder);
       const FolderLock lock(folder, how_.command);
       remove_file(folder / "summary.json");
       write_atomically(folder / "case.toml", run.case_text);
       return true;
     } catch (const fs::filesystem_error& error) {
-      throw RunError(folder.string() + ": cannot be made ready: " + error.code().message());
+      throw RunError(folder.string() + ": cannot be prepared: " + error.code().message());
     } catch (const InputError& refusal) {
       if (std::string_view(refusal.what()).find(FolderLock::refusal) == std::string_view::npos) throw;
       print_warning(refusal.what());
@@ -158,14 +158,14 @@ private:
     if (worker.process.running()) return false;
     done_work_ += worker.run.work;
     const std::string error = last_error(worker.process.messages());
-    if (error.find(FolderLock::refusal) != std::string::npos) { // somebody else runs it now
+    if (error.find(FolderLock::refusal) != std::string::npos) { // another process is running it
       print_warning(error);
       return true;
     }
     if (worker.process.ending() != 0 && lacked_space(error)) {
-      remove_file(worker.folder / "summary.json"); // it is to run again
+      remove_file(worker.folder / "summary.json"); // so that it runs again
       throw RunError(worker.folder.string() + ": " + error +
-                     "; the campaign stops here: finished runs stay, and it goes on when it is started again");
+                     "; the campaign stops here: finished runs are kept, and it continues when started again");
     }
     if (!worker.told_to_stop && !fs::exists(worker.folder / "summary.json"))
       write_failed_summary(kind_, worker.folder, error.empty() ? ending_text(worker.process.ending()) : error);

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// What tables and pages take for granted of a run that is done.
+/// Checks what tables and pages rely on in a finished run.
 void check_summary(const RunKind& kind, const RunResult& result) {
   try {
     kind.check_summary(result.summary);
@@ -38,7 +38,7 @@ void check_history(const RunKind& kind, const Table& history) {
   }
 }
 
-/// Whole, or without columns.
+/// The complete table, or one without columns.
 Table history_of(const RunKind& kind, const RunResult& result) {
   const fs::path file = result.folder / kind.curve_file;
   Table history = read_table(file);
@@ -48,7 +48,7 @@ Table history_of(const RunKind& kind, const RunResult& result) {
   return history;
 }
 
-/// Status, reason and history of a run that has left a summary.
+/// Status, reason and history of a run that wrote a summary.
 void read_results(const RunKind& kind, RunResult& result) {
   const std::string status = result.summary.at("status");
   if (status == "failed") {
@@ -56,11 +56,11 @@ void read_results(const RunKind& kind, RunResult& result) {
     result.reason = first_line(result.summary.at("reason"));
     try {
       result.history = history_of(kind, result);
-    } catch (const InputError&) {} // it may have failed before a row was written, or in the middle of one
+    } catch (const InputError&) {} // it may have failed before or while a row was written
     return;
   }
   if (status != "done" && status != "interrupted")
-    throw InputError((result.folder / "summary.json").string() + ": '" + status + "' is no status of a run");
+    throw InputError((result.folder / "summary.json").string() + ": '" + status + "' is not the status of a run");
   if (status == "done") {
     result.status = RunStatus::done;
     check_summary(kind, result);
@@ -105,7 +105,7 @@ RunResult result_of(const RunKind& kind, const PlannedRun& run, const fs::path& 
     result.axes = kind.axes(run.given());
     result.reason.clear();
     result.summary = read_json(summary);
-    if (!result.summary.is_object()) throw InputError(summary.string() + ": cannot be understood: is no object");
+    if (!result.summary.is_object()) throw InputError(summary.string() + ": cannot be understood: not a JSON object");
     read_results(kind, result);
   } catch (const ordered_json::exception& error) {
     mark_damaged(result, summary.string() + ": cannot be understood: " + error.what());

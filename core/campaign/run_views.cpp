@@ -18,7 +18,7 @@ namespace {
 
 const PageCell none{"–", "faint"};
 
-/// Between which all but `share` of the values lie.
+/// The interval that contains all but `share` of the values.
 Interval range_without_extremes(std::vector<double> values, double share) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return {};
@@ -69,7 +69,7 @@ Plot curves_of(Runs runs, const std::string& title, const CurveAxes& axes) {
 std::optional<double> history_at(const RunResult& run, const std::string& column, double u_over_h) {
   if (!run.history.has("u_over_h") || !run.history.has(column)) return std::nullopt;
   const std::vector<double>&x = run.history["u_over_h"], &y = run.history[column];
-  constexpr double round_off = 1e-3; // the last row lies within a step of the final strain
+  constexpr double round_off = 1e-3; // the last row is within one step of the final strain
   if (u_over_h < x.front() || u_over_h > x.back() * (1.0 + round_off)) return std::nullopt;
   const auto above = std::ranges::lower_bound(x, u_over_h);
   if (above == x.begin() || above == x.end()) return above == x.end() ? y.back() : y.front();
@@ -84,7 +84,7 @@ std::optional<Frame> frame_at(const RunResult& run, double u_over_h) {
   const auto distance = [&](const FrameFile& file) { return std::abs(file.time - *time); };
   Frame frame = read_frame(std::ranges::min_element(files, {}, distance)->path);
   if (frame.dimension == 2) return frame;
-  if (!frame.has("displacement")) return std::nullopt; // it does not tell which points stood behind one another
+  if (!frame.has("displacement")) return std::nullopt; // without it the points behind one another are unknown
   return mean_over_depth(frame, depth_of(frame));
 }
 

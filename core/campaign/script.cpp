@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls what RIEDEL names, or else this program.
-/// @param how "exec " or nothing
+/// Calls the program named by RIEDEL, otherwise this program.
+/// @param how "exec " or empty
 std::string call(const std::string& how, const std::string& words) {
   return "program=" + shell_word(fs::read_symlink("/proc/self/exe").string()) + " && " + how +
          "\"${RIEDEL:-$program}\" " + words + " ";
 }
 
-/// A run's folder, and the words of the command that runs it.
+/// A run's folder, and the arguments of the command that runs it.
 struct Place {
   fs::path folder;
   std::string words;
@@ -31,7 +31,7 @@ std::string words_of(const CaseKind& kind, const PlannedRun& run) {
   return all;
 }
 
-/// A place that is given whole; the slash lets any name be a word.
+/// A complete path; the slash makes any name a safe argument.
 std::string word_of(const fs::path& folder) { return shell_word((folder / "").string()); }
 
 std::vector<Place> write_cases(const Plan& plan, const fs::path& folder) {
@@ -45,7 +45,7 @@ std::vector<Place> write_cases(const Plan& plan, const fs::path& folder) {
   return places;
 }
 
-/// One line for all where they are run alike; else each names its own command.
+/// One common line if all are run alike; otherwise each has its own command.
 std::string slurm_script(const std::vector<Place>& places, const fs::path& campaign) {
   std::string text = "#!/bin/bash\n"
                      "# sbatch " +

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_shown = 80; ///< in messages [bytes]
 
-/// "grid . cells" as grid.cells; none if a part of it is no bare word, in quotes or not.
+/// "grid . cells" as grid.cells; none if a part is not a bare or quoted word.
 std::optional<std::string> dotted_name(std::string_view text) {
   std::string name;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -28,7 +28,7 @@ std::optional<std::string> dotted_name(std::string_view text) {
   return name;
 }
 
-/// What only TOML can be, so that it is no text as it stands: a list, a table, a quoted text, a number.
+/// Whether the text can only be TOML, not a plain text: a list, a table, a quoted text, a number.
 bool is_meant_as_toml(std::string_view value) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
@@ -37,22 +37,22 @@ bool is_meant_as_toml(std::string_view value) {
 }
 
 void refuse_what_is_no_line(std::string_view text, const std::string& shown) {
-  if (valid_utf8(text) < text.size()) throw InputError(shown + ": is no UTF-8");
+  if (valid_utf8(text) < text.size()) throw InputError(shown + ": is not UTF-8");
   if (std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; }))
-    throw InputError(shown + ": holds a line break or another control character; allowed: one key and its value");
+    throw InputError(shown + ": contains a line break or another control character; allowed: one key and its value");
 }
 
 std::vector<RawEntry> values_of(const std::string& key, std::string_view value, const std::string& shown) {
   try {
     std::vector<RawEntry> all = read_toml("x=" + std::string(value), "");
     if (without_quoted(value).find('#') != std::string::npos)
-      throw InputError(shown + ": a comment is no part of a value; a text with # stands in quotes");
+      throw InputError(shown + ": a value cannot contain a comment; put a text with # in quotes");
     for (RawEntry& given : all) given.name.replace(0, 1, key);
     return all;
   } catch (const TomlError& error) {
-    if (is_meant_as_toml(value)) throw InputError(shown + ": the value is no TOML: " + error.why);
+    if (is_meant_as_toml(value)) throw InputError(shown + ": the value is not TOML: " + error.why);
   }
-  const std::string text(value); // a bare word, or a text whose quotes the shell has eaten
+  const std::string text(value); // a bare word, or a text whose quotes the shell has removed
   return {{.name = key, .place = "", .text = readable(toml_text(text), longest_shown), .items = {text}}};
 }
 

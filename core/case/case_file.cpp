@@ -14,7 +14,7 @@ namespace riedel {
 
 namespace {
 
-constexpr std::size_t max_errors = 100; ///< told at once
+constexpr std::size_t max_errors = 100; ///< reported at once
 
 std::string unknown_key_text(const std::string& name, const Keys& keys) {
   std::vector<std::string> names;
@@ -122,7 +122,7 @@ CheckedValues CaseFile::check(const Keys& keys) const {
   for (const Key& key : keys) known.emplace(key.name, &key);
   for (const RawEntry& given : given_) {
     if (checked.errors.size() == max_errors) {
-      checked.errors.push_back({{given.name}, "and perhaps more; no more are told"});
+      checked.errors.push_back({{given.name}, "possibly more errors, which are not shown"});
       break;
     }
     const auto key = known.find(given.name);

@@ -9,7 +9,7 @@ namespace riedel {
 
 namespace {
 
-/// Without the options of other schemes, when the case names one.
+/// Leaves out the options of other schemes if the case names a scheme.
 Keys keys_of_scheme(Keys keys, const CaseFile& given, const Catalogue& catalogue) {
   const auto scheme = given.peek_text("scheme");
   if (!scheme || !catalogue.in_2d.schemes.known(*scheme)) return keys;

@@ -1,4 +1,4 @@
-/// What `--help` says of the keys of a case.
+/// The text of `--help` about the keys of a case.
 #pragma once
 
 #include "core/case/case_file.hpp"
@@ -6,11 +6,11 @@
 
 namespace riedel {
 
-/// The keys of a case as a table for a terminal, of the law and the scheme that it names.
-/// @throws InputError for a law, scheme or test that is not known
+/// The keys of a case as a table for a terminal, for the law and the scheme that it names.
+/// @throws InputError for an unknown law, scheme or test
 std::string case_help(const CaseFile& given, const Keys& keys, const Catalogue& catalogue);
 
-/// A name that is wrong has no keys to show. @throws InputError for a law, scheme or test that is not known
+/// An unknown name has no keys to show. @throws InputError for an unknown law, scheme or test
 void refuse_unknown_names(const CaseFile& given, const Keys& keys);
 
 } // namespace riedel

@@ -1,5 +1,5 @@
-/// A kind of case, such as the biaxial test: what a sub-command runs. Whatever works with cases of any kind (check,
-/// help, schema, studies) goes by this.
+/// A kind of case, such as the biaxial test, as run by a sub-command. Everything that handles cases of any kind (check,
+/// help, schema, studies) uses this interface.
 #pragma once
 
 #include "core/base/thread_choice.hpp"
@@ -8,31 +8,31 @@
 
 namespace riedel {
 
-/// What a run of a case takes, as far as it is known before.
+/// The expected cost of running a case, as far as it is known in advance.
 struct ExpectedRun {
-  double work = 0.0;   ///< points times steps times what each takes beside the others [-]
-  double end = 0.0;    ///< strain at which it ends; 0: not known [-]
-  double memory = 0.0; ///< beside the program itself [bytes]; 0: next to none
+  double work = 0.0;   ///< points times steps times relative cost of each [-]
+  double end = 0.0;    ///< strain at which it ends; 0: unknown [-]
+  double memory = 0.0; ///< in addition to the program itself [bytes]; 0: almost none
 };
 
 struct CaseKind {
   std::string name; ///< of the sub-command that runs it
   /// Whether a case file is of this kind.
   bool (*holds)(const CaseFile& given) = nullptr;
-  /// The words of the sub-command in front of the case file, such as "element triaxial".
+  /// The words of the sub-command before the case file, such as "element triaxial".
   std::vector<std::string> (*words)(const CaseFile& given) = nullptr;
-  /// Every key that the case may have, those of its law among them.
+  /// Every key that the case may have, including those of its law.
   Keys (*keys)(const CaseFile& given, const Catalogue& catalogue) = nullptr;
-  /// @throws InputError with a line for everything that is wrong; PluginError
+  /// @throws InputError with one line per error; PluginError
   CheckedCase (*check)(const CaseFile& given, const Catalogue& catalogue) = nullptr;
   ExpectedRun (*expect)(const Values& values, const Catalogue& catalogue) = nullptr;
-  /// What a run would warn of when it begins.
+  /// The warnings that a run would print at its start.
   std::vector<Finding> (*doubts)(const Values& values, const Catalogue& catalogue) = nullptr;
-  /// What will run, as comments behind the case in force.
+  /// What will run, as comments after the case in force.
   std::string (*outlook)(const Values& values, const Catalogue& catalogue, ThreadRange threads) = nullptr;
-  /// The keys as a table for a terminal. @throws InputError for a law, scheme or test that is not known
+  /// The keys as a table for a terminal. @throws InputError for an unknown law, scheme or test
   std::string (*help)(const CaseFile& given, const Catalogue& catalogue) = nullptr;
-  /// JSON Schema (draft 7). @throws InputError for a test that is not known
+  /// JSON Schema (draft 7). @throws InputError for an unknown test
   std::string (*schema)(const CaseFile& given, const Catalogue& catalogue) = nullptr;
 };
 

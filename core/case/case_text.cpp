@@ -60,7 +60,7 @@ std::string line(const Key& key, const Value& value) {
 std::string toml_text(const Value& value) { return std::visit(ToText{}, value); }
 
 std::string case_text(const Keys& keys, const Values& values) {
-  std::vector<std::string_view> sections{""}; // keys without a section come first, or TOML would count them to one
+  std::vector<std::string_view> sections{""}; // keys without a section must come first in TOML
   for (const Key& key : keys)
     if (std::ranges::find(sections, section_of(key)) == sections.end()) sections.push_back(section_of(key));
   std::string text =

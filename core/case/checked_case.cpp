@@ -23,7 +23,7 @@ CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<D
   explain(checked.errors);
   const Diagnostics found = check(checked.values);
   std::vector<Finding> errors = checked.errors;
-  for (const Finding& error : found.errors) // a wrong key has its default here, about which nothing should be said
+  for (const Finding& error : found.errors) // a wrong key has its default here, which needs no message
     if (!concerns(error, checked.errors)) errors.push_back(error);
   if (!errors.empty()) throw InputError(given.lines(errors));
   CheckedCase result{.keys = std::move(keys), .values = std::move(checked.values), .warnings = {}};

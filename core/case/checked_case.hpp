@@ -1,4 +1,4 @@
-/// A case that has passed its table of keys and the checks that no single key can make.
+/// A case that has passed its table of keys and the checks that involve several keys.
 #pragma once
 
 #include "core/case/case_file.hpp"
@@ -7,21 +7,21 @@
 
 namespace riedel {
 
-/// What one key cannot see: errors stop the run, warnings are told.
+/// Findings that involve several keys: errors stop the run, warnings are reported.
 struct Diagnostics {
   std::vector<Finding> errors, warnings;
 };
 
-/// A case that is fit to run.
+/// A valid case.
 struct CheckedCase {
   Keys keys;
   Values values;
   std::vector<std::string> warnings;   ///< each with its place
-  std::vector<std::string> notes = {}; ///< what a default has become, and why
+  std::vector<std::string> notes = {}; ///< how a default was set, and why
 };
 
-/// @param check looks at all values together   @param explain adds to what is said of single keys
-/// @throws InputError with a line for everything that is wrong
+/// @param check checks all values together @param explain adds to the messages about single keys
+/// @throws InputError with one line per error
 CheckedCase checked_case(const CaseFile& given, Keys keys, const std::function<Diagnostics(const Values&)>& check,
                          const std::function<void(std::vector<Finding>&)>& explain);
 

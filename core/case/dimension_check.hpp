@@ -1,4 +1,4 @@
-/// Whether what a case names is there in its number of dimensions.
+/// Checks that everything a case names is available in its number of dimensions.
 #pragma once
 
 #include "core/case/checked_case.hpp"
@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// Looks at scheme, search, averager and transfer. The choices of their keys are the names in two dimensions.
+/// Checks scheme, search, averager and transfer. The choices of their keys are the names in two dimensions.
 void check_offered(const Values& values, const Catalogue& catalogue, int dimensions, std::vector<Finding>& errors);
 
 } // namespace riedel

@@ -6,10 +6,10 @@
 
 namespace riedel {
 
-/// `interpolation.NAME` for every option of any scheme, each once.
+/// `interpolation.NAME` for every option of any scheme, once each.
 Keys interpolation_keys(const Catalogue& catalogue);
 
-/// Whether the scheme of a case takes the options that are set. Defaults pass: a run leaves them in its case.toml.
+/// Checks that the scheme of a case takes the options set. Defaults pass, since a run writes them to its case.toml.
 void check_interpolation(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors);
 
 } // namespace riedel

@@ -12,7 +12,7 @@ namespace {
 
 std::string unit_of(const Key& key) { return key.unit == "-" ? "" : key.unit; }
 
-/// Length as seen: bytes that continue a letter do not count.
+/// Length as displayed: continuation bytes of a letter do not count.
 std::size_t letters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -26,7 +26,7 @@ std::string default_text(const Key& key) {
   return toml_text(key.default_value) + (word || unit_of(key).empty() ? "" : " " + unit_of(key));
 }
 
-/// Words in lines of at most `width` letters, each but the first behind a margin.
+/// Words in lines of at most `width` letters, all but the first indented by a margin.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t margin) {
   std::istringstream words(text);
   std::string all, row;
@@ -40,7 +40,7 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t marg
   return all + row;
 }
 
-/// Four columns; a long list of choices stands below what the key is.
+/// Four columns; a long list of choices goes below the description.
 std::string help_line(const Key& key, std::size_t indent) {
   constexpr std::size_t name = 28, value = 18, range = 12, doc = 58;
   const std::size_t margin = indent + name + value + range;

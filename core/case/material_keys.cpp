@@ -38,7 +38,8 @@ void append_material(Keys& keys, const Catalogue& catalogue, std::string_view mo
 
 void try_material(const CaseFile& given, const Values& values, const Catalogue& catalogue) {
   if (values.has("material.library") && values.text("material.library").empty())
-    throw InputError(given.place("material.library") + ": names no library; allowed: the path of one that has the law");
+    throw InputError(given.place("material.library") +
+                     ": names no library; allowed: the path of a library that has the law");
   const auto& make = catalogue.materials.find(values.text("material.model")).make;
   if (values.has("material.library"))
     try_library(given, values, [&] { static_cast<void>(make(values.section("material"))); });

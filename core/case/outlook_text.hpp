@@ -1,4 +1,4 @@
-/// What a run of a case will take, as comments behind the case.
+/// The expected cost of running a case, as comments after the case.
 #pragma once
 
 #include "core/base/thread_choice.hpp"

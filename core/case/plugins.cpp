@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders of RIEDEL_PLUGIN_PATH, separated by colons.
+/// The folders in RIEDEL_PLUGIN_PATH, separated by colons.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   const char* const path = std::getenv("RIEDEL_PLUGIN_PATH");
@@ -21,7 +21,7 @@ std::vector<fs::path> plugin_folders() {
   return folders;
 }
 
-/// By name, so that the catalogue is the same everywhere.
+/// Sorted by name, so that the catalogue is the same everywhere.
 std::vector<fs::path> libraries_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> found;
@@ -40,7 +40,7 @@ fs::path found_in_folders(const std::string& name) {
   return path;
 }
 
-/// A library that is named twice brings its entries once.
+/// A library that is named twice adds its entries once.
 void add(Inventory& all, const fs::path& path) {
   std::error_code error;
   for (const LoadedPlugin& loaded : all.plugins)

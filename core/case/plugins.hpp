@@ -1,4 +1,4 @@
-/// Plug-ins that a case or a command names, and those in the folders of RIEDEL_PLUGIN_PATH.
+/// Plug-ins named by a case or a command, and those in the folders of RIEDEL_PLUGIN_PATH.
 #pragma once
 
 #include "core/case/case_file.hpp"
@@ -6,22 +6,22 @@
 
 namespace riedel {
 
-/// What can be named in a case, and the plug-ins that brought some of it.
+/// Everything that a case can name, and the plug-ins that provide some of it.
 struct Inventory {
   Catalogue catalogue;
   std::vector<LoadedPlugin> plugins;
 };
 
 /// A catalogue with the plug-ins in the folders of RIEDEL_PLUGIN_PATH (every *.so in them), and those named. A name
-/// without a folder is looked for in these folders, too. @throws PluginError
+/// without a folder is also searched for in these folders. @throws PluginError
 Inventory with_plugins(Catalogue built_in, const std::vector<std::string>& named);
 
-/// With the plug-ins that a case names under `plugin` in its sections. @throws PluginError that tells the place
+/// With the plug-ins that a case names under `plugin` in its sections. @throws PluginError that gives the place
 Inventory with_plugins(Catalogue built_in, const CaseFile& given);
 
-/// `plugin`, of a section that names something which a plug-in can bring.
+/// `plugin`, for a section that names something a plug-in can provide.
 inline Key plugin_key(const std::string& section, const std::string& what) {
-  return {section + ".plugin", std::string(), "", {}, "shared library that brings " + what + "; empty: none"};
+  return {section + ".plugin", std::string(), "", {}, "shared library that provides " + what + "; empty: none"};
 }
 
 } // namespace riedel

@@ -48,7 +48,7 @@ double number_from(const Scalar& item, const Key& key) {
   return x;
 }
 
-/// Why something else stands where an integer is wanted.
+/// Why another value is not accepted as an integer.
 std::string no_integer_text(const Scalar& item) {
   constexpr double exact = 9007199254740992.0; // up to 2^53 a double holds every integer
   const auto* real = std::get_if<double>(&item);

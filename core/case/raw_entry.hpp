@@ -1,11 +1,11 @@
-/// A case as it was written, before any table of keys says what it should be.
+/// A case as written, before it is checked against a table of keys.
 #pragma once
 
 #include "core/base/parameters.hpp"
 
 namespace riedel {
 
-/// std::monostate stands for what no key takes, such as a date or a list in a list.
+/// std::monostate stands for what no key accepts, such as a date or a list in a list.
 using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 struct RawEntry {
@@ -18,7 +18,7 @@ struct RawEntry {
   Kind kind = Kind::single;
 };
 
-/// What a key takes, in words: "a number > 0 in m, or a text with a unit (m, cm, mm, um)".
+/// What a key accepts, in words: "a number > 0 in m, or a text with a unit (m, cm, mm, um)".
 std::string wanted(const Key& key);
 
 /// @throws InputError that says what was given and what is allowed, without the place

@@ -17,7 +17,7 @@ Json with_bounds(Json schema, const Bounds& bounds) {
   return schema;
 }
 
-/// A number, or a text that begins like one: the unit is checked by the program.
+/// A number, or a text that begins like one: the program checks the unit.
 Json number(const Key& key) {
   Json any = Json::array({with_bounds({{"type", "number"}}, key.bounds)});
   if (!key.unit.empty())
@@ -52,7 +52,7 @@ Json property(const Key& key) {
 
 Json section_schema() { return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}}; }
 
-/// [material] with one law: its name, which only the default law may leave out, and its parameters.
+/// [material] with one law: its name, optional only for the default law, and its parameters.
 Json material_schema(const Description& law, const std::string& usual) {
   Json schema = section_schema();
   schema["title"] = law.name;
@@ -63,7 +63,7 @@ Json material_schema(const Description& law, const std::string& usual) {
   return schema;
 }
 
-/// The keys of a section, made where it is not there yet.
+/// The keys of a section, created if missing.
 Json& section_in(Json& properties, const std::string& name) {
   if (!properties.contains(name)) properties[name] = section_schema();
   return properties[name]["properties"];

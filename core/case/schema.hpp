@@ -7,10 +7,10 @@
 
 namespace riedel {
 
-/// Of a whole case. The parameters allowed in [material] follow from its model.
+/// The schema of a whole case. The parameters allowed in [material] follow from its model.
 nlohmann::ordered_json case_schema(const std::string& title, const Keys& keys, const Catalogue& catalogue);
 
-/// Of a table with these keys, whose names have no section, and no others.
+/// The schema of a table with exactly these keys, whose names have no section.
 nlohmann::ordered_json object_schema(const Keys& keys);
 
 } // namespace riedel

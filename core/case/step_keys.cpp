@@ -18,11 +18,11 @@ StepFunction<Dim> step_named(const std::string& order) {
 }
 
 constexpr StepDefaults standard_shares;
-constexpr double most_of_volume = 0.1; ///< of the rate of the stresses
+constexpr double most_of_volume = 0.1; ///< largest volume rate over the stress rate
 
 std::string times(double share) { return short_text(share) + " times the rate"; }
 
-/// The rate that was given, or `otherwise` for "auto" [1/s].
+/// The given rate, or `otherwise` for "auto" [1/s].
 double rate(const Values& v, const char* key, double otherwise) { return v.is_text(key) ? otherwise : v.number(key); }
 
 void check_stress_filter(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
@@ -31,13 +31,13 @@ void check_stress_filter(const Values& v, const Catalogue& catalogue, std::vecto
   if (!scheme->gradients_follow_weights() && !v.is_text(of_stress) && v.number(of_stress) > 0.0)
     errors.push_back({{of_stress, "scheme"},
                       exact_text(v.number(of_stress)) + " 1/s does not go with the scheme \"" + v.text("scheme") +
-                          "\", whose gradients are not those of its weights: nodes see other stresses than the "
-                          "filter, which goes by the weights; allowed: 0 or \"auto\", which is 0 there"});
+                          "\", whose gradients are not those of its weights, so the stresses on the nodes differ "
+                          "from those of the filter; allowed: 0 or \"auto\", which is 0 there"});
   if (!v.is_text(of_volume) && !v.is_text(of_stress) && v.number(of_volume) > most_of_volume * v.number(of_stress))
     errors.push_back({{of_volume, of_stress},
                       exact_text(v.number(of_volume)) + " 1/s is more than a tenth of time.stress_filter, " +
                           exact_text(v.number(of_stress)) +
-                          " 1/s: volumes that fade faster than their stresses feed energy in; allowed: up to " +
+                          " 1/s: volumes that decay faster than their stresses add energy; allowed: up to " +
                           exact_text(most_of_volume * v.number(of_stress)) + " 1/s"});
   if (filters_stresses(v)) return;
   const StressFilter standard;
@@ -49,18 +49,18 @@ void check_stress_filter(const Values& v, const Catalogue& catalogue, std::vecto
                                                          "time.stress_filter a rate, or leave this out"});
 }
 
-/// A share by step and a rate say the same of a transfer that takes both.
+/// A share per step and a rate set the same quantity of a transfer that takes both.
 void check_damping(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   const std::string by_step = "time.flip", by_time = "time.damping";
   const Values options(catalogue.in_2d.transfers.find(v.text("time.transfer")).description.parameters);
   const auto takes = [&](const std::string& key) { return options.has(key.substr(key.find('.') + 1)); };
   if (!takes(by_step) || !takes(by_time) || v.is_text(by_step) || v.is_text(by_time)) return;
   errors.push_back({{by_time, "time.transfer", by_step},
-                    exact_text(v.number(by_time)) + " means nothing beside time.flip = " +
-                        exact_text(v.number(by_step)) + ", which says the same by step; give one of them"});
+                    exact_text(v.number(by_time)) + " conflicts with time.flip = " + exact_text(v.number(by_step)) +
+                        ", which sets the same per step; give only one of them"});
 }
 
-/// The keys of the transfers in their place among those of the step, behind `time.transfer`.
+/// Inserts the keys of the transfers among those of the step, after `time.transfer`.
 void insert_transfer_keys(Keys& keys, const Catalogue& catalogue, const std::string& of_auto) {
   Keys more = transfer_keys(catalogue, of_auto);
   more.push_back(plugin_key("time", "the transfer"));
@@ -94,36 +94,36 @@ Keys step_keys(const Catalogue& catalogue, const StepDefaults& defaults) {
        "jaumann",
        "",
        any,
-       "rate of the stress that does not see rotations: with the spin of the velocities, or of R in F = R U",
+       "objective rate of the stress: with the spin of the velocities, or of R in F = R U",
        {"jaumann", "green_naghdi"}},
       {"time.locking",
        "none",
        "",
        any,
-       "cure of volumetric locking: none, or F-bar, the mean dilatation of a cell for all its points",
+       "remedy for volumetric locking: none, or F-bar, the mean dilatation of a cell for all its points",
        {"none", "f_bar"}},
       {"time.stress_filter",
        defaults.stress_filter > 0.0 ? Value("auto") : Value(0.0),
        "1/s",
        at_least(0),
-       "rate at which stresses that no node sees fade; auto: " + times(standard_shares.stress_filter) +
+       "rate at which stresses in the null space of the grid decay; auto: " + times(standard_shares.stress_filter) +
            " at which waves cross the specimen's width; 0: they stay, as in the paper",
        {"auto"}},
       {"time.volume_filter",
        "auto",
        "1/s",
        at_least(0),
-       "rate at which changes of volume that no node sees fade; auto: a tenth of time.stress_filter, which is the most",
+       "rate at which volume changes in the null space decay; auto: a tenth of time.stress_filter, the maximum",
        {"auto"}},
       {"time.stress_filter_order", std::int64_t{standard.order}, "-", between(1, 60),
-       "m of (I - S)^m: the greater, the shorter the waves that the filter takes, and the longer it takes"},
+       "m of (I - S)^m: the larger, the shorter the waves that the filter removes, and the longer it takes"},
       {"time.stress_filter_steps", std::int64_t{standard.steps_between}, "-", between(1, 100),
-       "filter in every so many steps, as much as in all of them"},
+       "filter once in this many steps, with the same effect as in every step"},
   };
   insert_transfer_keys(
       keys, catalogue,
       times(defaults.damping) + " at which waves cross the specimen's width" +
-          (defaults.slow_damp_more ? ", and below 7e-5 of strain in a crossing in inverse proportion more" : ""));
+          (defaults.slow_damp_more ? ", and below 7e-5 of strain per crossing more, in inverse proportion" : ""));
   return keys;
 }
 
@@ -133,7 +133,7 @@ void check_step(const Values& values, const Catalogue& catalogue, std::vector<Fi
   if (values.text("time.locking") == "f_bar" && values.text("time.order") == "usl")
     errors.push_back(
         {{"time.locking", "time.order"},
-         "\"f_bar\" does not go with \"usl\", whose wild strains at nodes with little mass it spreads over "
+         "\"f_bar\" does not go with \"usl\", whose erratic strains at nodes with little mass it spreads over "
          "the cell; take time.order = \"musl\" or \"usf\""});
 }
 

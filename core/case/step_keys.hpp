@@ -1,4 +1,4 @@
-/// The keys of the time step, which every simulation takes, and what they set.
+/// The keys of the time step, common to all simulations, and the settings that they make.
 #pragma once
 
 #include "core/case/checked_case.hpp"
@@ -7,23 +7,23 @@
 
 namespace riedel {
 
-/// What "auto" means for rates: shares of the rate at which waves cross the specimen's width.
+/// The values of "auto" for rates: multiples of the rate at which waves cross the specimen's width.
 struct StepDefaults {
   double damping = 2.0;
   double stress_filter = 2.0;
-  bool slow_damp_more = true; ///< the damping grows where loading is slow
+  bool slow_damp_more = true; ///< the damping increases if loading is slow
 };
 
 /// All keys of the section `time`.
 Keys step_keys(const Catalogue& catalogue, const StepDefaults& defaults = {});
 
-/// What these keys cannot be together.
+/// Checks combinations of these keys.
 void check_step(const Values& values, const Catalogue& catalogue, std::vector<Finding>& errors);
 
-/// Whether the keys ask for the stress filter.
+/// Whether the keys request the stress filter.
 bool filters_stresses(const Values& values);
 
-/// What these keys say of a model that has its scheme.
+/// Applies these keys to a model that has its scheme.
 /// @param crossing_rate at which waves cross the specimen's width at the start [1/s]
 template <int Dim>
 void set_step(Model<Dim>& model, const Values& values, const Catalogue& catalogue, double crossing_rate,

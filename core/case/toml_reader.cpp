@@ -8,8 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
-// What toml++ takes for granted of its input must hold or throw: as plain assertions it would end the program, and as
-// promises to the compiler, which they are with NDEBUG, it would do anything.
+// What toml++ assumes about its input must hold or throw: as plain assertions it would end the program, and as promises
+// to the compiler (with NDEBUG) it would be undefined behaviour.
 #undef NDEBUG
 namespace riedel {
 struct BrokenPromise : std::logic_error {
@@ -20,10 +20,10 @@ constexpr void promised(bool holds, const char* what) {
 }
 } // namespace riedel
 #define TOML_ASSERT(holds) ::riedel::promised(static_cast<bool>(holds), #holds)
-#define TOML_MAX_NESTED_VALUES 16 // a case has lists and tables in lists; recursion must end before the stack does
+#define TOML_MAX_NESTED_VALUES 16 // a case has lists and tables in lists; recursion must not exhaust the stack
 #define TOML_IMPLEMENTATION
-// Its tables of letters promise the compiler that a letter such as é is never asked about whether it is a blank, which
-// it is behind a broken number or a backslash: it is none.
+// Its tables of letters promise the compiler that a letter such as é is never tested for being a blank. It is tested,
+// after a broken number or a backslash, and is not a blank.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -37,7 +37,7 @@ namespace riedel {
 namespace {
 
 constexpr std::size_t largest_case = 4 << 20; ///< [bytes]; it is written by hand or by this program
-constexpr std::size_t max_parts = 64;         ///< of a dotted name: each is a table in a table, and so a call in a call
+constexpr std::size_t max_parts = 64;         ///< of a dotted name: each is a nested table, and so a nested call
 
 constexpr std::size_t longest_name = 200; ///< in messages [bytes]
 constexpr std::size_t longest_text = 80;  ///< in messages [bytes]
@@ -73,7 +73,7 @@ std::string scalar_text(const toml::node& node) {
   return out.str() + std::visit(as_toml, scalar_of(node));
 }
 
-/// For messages, so that no more is written than one of them shows.
+/// For messages: no longer than a message shows.
 void append_text(const toml::node& node, std::string& text) {
   if (text.size() > longest_text) return;
   const toml::array* list = node.as_array();
@@ -135,7 +135,7 @@ Position position_in(std::string_view text, std::size_t byte) {
   Position at;
   for (const char c : text.substr(0, byte)) {
     if (c == '\n') at = {at.line + 1, 0};
-    if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) ++at.column; // a byte that begins a character
+    if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) ++at.column; // the first byte of a character
   }
   return at;
 }
@@ -148,8 +148,9 @@ std::string place_of(const std::string& called, Position at) {
   throw TomlError(place_of(called, at) + "not valid TOML: " + why, why);
 }
 
-/// Where a name has more parts than any key, if anywhere: dots with no sign between them that could end a name.
-/// @param signs of the text, without what stands in quotes and comments
+/// The position at which a name has more parts than any key, if there is one: dots with no sign between them that could
+/// end a name.
+/// @param signs of the text, without quoted texts and comments
 std::optional<std::size_t> endless_name(std::string_view signs) {
   std::size_t dots = 0;
   for (std::size_t i = 0; i < signs.size(); ++i) {
@@ -160,14 +161,14 @@ std::optional<std::size_t> endless_name(std::string_view signs) {
   return std::nullopt;
 }
 
-/// toml++ takes for granted that letters beyond ASCII stand in texts and comments.
+/// toml++ assumes that letters beyond ASCII occur only in texts and comments.
 void refuse_odd_signs(std::string_view text, const std::string& called) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   const std::size_t start = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
   const std::string signs = without_texts(text);
   for (std::size_t i = start; i < signs.size(); ++i)
     if (static_cast<unsigned char>(signs[i]) >= 0x80)
-      refuse(called, position_in(text, i), "a letter beyond ASCII, which stands in quotes only");
+      refuse(called, position_in(text, i), "a letter beyond ASCII, which is allowed only in quotes");
   if (const auto at = endless_name(signs))
     refuse(called, position_in(text, *at),
            "a name with more than " + std::to_string(max_parts) + " dots, which no key has");
@@ -179,13 +180,13 @@ void refuse_what_is_no_text(std::string_view text, const std::string& called) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw InputError(called + ": is written in UTF-16; save it as UTF-8");
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-    refuse(called, position_in(text, zero), "a byte that is zero, which no text has");
+    refuse(called, position_in(text, zero), "a zero byte, which is not allowed");
   if (const std::size_t valid = valid_utf8(text); valid < text.size())
-    refuse(called, position_in(text, valid), "a byte that is no UTF-8; save the file as UTF-8");
+    refuse(called, position_in(text, valid), "a byte that is not UTF-8; save the file as UTF-8");
   refuse_odd_signs(text, called);
 }
 
-/// The fewest bytes of a text whose parser trips over a promise that they break.
+/// Length of the shortest beginning of a text that breaks one of the parser's promises.
 std::size_t bytes_that_break(std::string_view text) {
   std::size_t fine = 0, broken = text.size();
   while (broken - fine > 1) {

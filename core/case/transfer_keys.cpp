@@ -16,7 +16,7 @@ bool takes(const Transfers::Entry& transfer, const std::string& parameter) {
   return std::ranges::find(all, parameter, &Key::name) != all.end();
 }
 
-/// Names of the transfers that take a parameter, or for which something else holds.
+/// Names of the transfers for which a condition holds, such as taking a parameter.
 template <class Holds>
 std::string names_of(const Transfers& transfers, const std::string& between, const Holds& holds) {
   std::string all;
@@ -25,12 +25,12 @@ std::string names_of(const Transfers& transfers, const std::string& between, con
   return all;
 }
 
-/// A rate of damping, for which a case may leave "auto".
+/// A damping rate, for which a case may give "auto".
 bool is_rate(const Key& key) {
   return key.unit == "1/s" && std::ranges::find(key.choices, "auto") != key.choices.end();
 }
 
-/// A number that the chosen transfer would not look at. Defaults pass: a run leaves them in its case.toml.
+/// Refuses a number that the chosen transfer ignores. Defaults pass, since a run writes them to its case.toml.
 void check_settings(const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   const Transfers& transfers = catalogue.in_2d.transfers;
   const auto& chosen = transfers.find(v.text("time.transfer"));
@@ -45,7 +45,7 @@ void check_settings(const Values& v, const Catalogue& catalogue, std::vector<Fin
   }
 }
 
-/// Transfers that take the gradient of the velocity about a point need a scheme that spreads it, which hats do not.
+/// Transfers that use the velocity gradient about a point need a scheme that spreads its weights, which hats do not.
 void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits::Spread spread, Diagnostics& found) {
   using Spread = TransferTraits::Spread;
   const auto& schemes = catalogue.in_2d.schemes;
@@ -60,13 +60,14 @@ void check_spreading(const Values& v, const Catalogue& catalogue, TransferTraits
   if (spread == Spread::needed)
     found.errors.push_back({{"time.transfer", "scheme"},
                             "\"" + transfer + "\" is not offered by the scheme \"" + scheme +
-                                "\", which gives a point on a line of nodes no weight beside it; take one of " +
+                                "\", which gives a point on a line of nodes no weight beside that line; take one of " +
                                 others + ", or another transfer"});
   else
     found.warnings.push_back(
         {{"time.transfer", "scheme"},
          "\"" + transfer + "\" with the scheme \"" + scheme +
-             "\" takes gradients from slivers of mass at free surfaces, and the run may fail; safe with " + others});
+             "\" takes gradients from nodes with tiny masses at free surfaces, and the run may fail; safe with " +
+             others});
 }
 
 void check_order(const Values& v, const TransferTraits& traits, std::vector<Finding>& errors) {
@@ -91,8 +92,7 @@ Keys transfer_keys(const Catalogue& catalogue, const std::string& of_auto) {
       key.name = "time." + parameter;
       if (std::ranges::find(keys, key.name, &Key::name) != keys.end()) continue;
       if (is_rate(key)) key.doc += "; auto: " + of_auto;
-      key.doc +=
-          "; for " + names_of(transfers, ", ", [&](const auto& one) { return takes(one, parameter); }) + " alone";
+      key.doc += "; for " + names_of(transfers, ", ", [&](const auto& one) { return takes(one, parameter); }) + " only";
       keys.push_back(std::move(key));
     }
   return keys;

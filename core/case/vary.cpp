@@ -14,23 +14,23 @@ namespace {
 
 constexpr std::size_t longest_shown = 80; ///< in messages [bytes]
 constexpr std::size_t longest_name =
-    200; ///< of a folder; file systems take 255, and frames and drafts add to it [bytes]
+    200; ///< of a folder's name; file systems allow 255, and frames and drafts append to it [bytes]
 constexpr std::size_t max_runs = 1000;
 
 [[noreturn]] void refuse(const std::string& wish, const std::string& why) {
   throw InputError("--vary " + readable(wish, longest_shown) + ": " + why);
 }
 
-/// Parts between commas that stand in no bracket and in no quotes.
+/// Parts between commas that are outside brackets and quotes.
 std::vector<std::string> parts_of(const std::string& wish, std::size_t begin) {
   const std::string plain = without_quoted(wish.substr(begin));
   std::vector<std::string> parts(1);
-  std::string open; // brackets that wait for their partners
+  std::string open; // brackets that are not yet closed
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const char c = plain[i];
     if (c == '[' || c == '{') open += c == '[' ? ']' : '}';
     if (c == ']' || c == '}') {
-      if (!open.ends_with(c)) refuse(wish, std::string("a '") + c + "' closes nothing");
+      if (!open.ends_with(c)) refuse(wish, std::string("a '") + c + "' has no opening bracket");
       open.pop_back();
     }
     if (c == ',' && open.empty())
@@ -42,7 +42,7 @@ std::vector<std::string> parts_of(const std::string& wish, std::size_t begin) {
   return parts;
 }
 
-/// Eight letters that stand for a text (FNV-1a).
+/// Eight letters derived from a text (FNV-1a).
 std::string digest(std::string_view text) {
   std::uint32_t sum = 2166136261U;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 16777619U;
@@ -54,7 +54,7 @@ std::string digest(std::string_view text) {
   return letters;
 }
 
-/// Names of folders, of which no two are the same.
+/// Unique names for folders.
 void make_names_fit(std::vector<Variant>& variants) {
   std::map<std::string, int> times;
   for (const Variant& variant : variants) ++times[file_name_for(variant.name)];
@@ -69,7 +69,7 @@ void make_names_fit(std::vector<Variant>& variants) {
 
 std::string last_word(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-/// The last word of the key, or all of it where another key ends alike.
+/// The last word of the key, or the full key if another one ends in the same word.
 std::string short_name(const std::string& key, const std::vector<Variation>& variations) {
   const auto alike = [&](const Variation& other) { return last_word(other.key) == last_word(key); };
   return std::ranges::count_if(variations, alike) > 1 ? key : last_word(key);
@@ -95,7 +95,7 @@ Variation variation_of(const std::string& wish) {
     const std::string value(trimmed(part));
     if (value.empty()) refuse(wish, "a value of the list is empty");
     if (std::ranges::find(variation.values, value) != variation.values.end())
-      refuse(wish, readable(value, longest_shown) + " stands twice");
+      refuse(wish, readable(value, longest_shown) + " is given twice");
     if (variation.values.size() == max_runs) refuse(wish, "more than " + std::to_string(max_runs) + " values");
     variation.values.push_back(value);
   }
@@ -136,7 +136,7 @@ void refuse_same_cases(const std::vector<NamedCase>& cases) {
   for (const NamedCase& each : cases)
     if (const auto [before, is_new] = names.emplace(each.text, each.name); !is_new)
       throw InputError("--vary: " + std::string(before->second) + " and " + each.name +
-                       " are the same case: a value stands twice, in two spellings");
+                       " are the same case: a value is given twice, in two spellings");
 }
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// One case under several values of some keys.
+/// One case with several values of some keys.
 #pragma once
 
 #include "core/case/case_file.hpp"
@@ -13,7 +13,7 @@ struct Variant {
   CaseFile given;
   std::string name;                   ///< of its folder, such as "void_ratio=0.6"; empty when nothing is varied
   std::string label;                  ///< for a legend, such as "void_ratio = 0.6"
-  std::vector<Setting> settings = {}; ///< what was set, in the order of the wishes
+  std::vector<Setting> settings = {}; ///< the settings, in the order of the options
 };
 
 /// A key with the values that it takes in turn.
@@ -22,24 +22,24 @@ struct Variation {
   std::vector<std::string> values;
 };
 
-/// "KEY=A,B,C" taken apart; a comma in brackets or quotes parts nothing.
-/// @throws InputError that says what a wish looks like, which value is empty or stands twice, which bracket is open
+/// "KEY=A,B,C" split into its parts; commas in brackets or quotes do not separate values.
+/// @throws InputError that shows the expected form, or which value is empty or given twice, or which bracket is open
 Variation variation_of(const std::string& wish);
 
-/// Several wishes. @throws InputError for a key that is varied twice, too
+/// Several such options. @throws InputError also for a key that is varied twice
 std::vector<Variation> variations_of(const std::vector<std::string>& wishes);
 
-/// All values of all keys, crossed; the first key changes last. Keys are called by their last word where that tells
-/// them apart. No two names are the same, and each fits a file system; eight letters that stand for the label see to
-/// both. @throws InputError for more than 1000 runs
+/// All combinations of the values of all keys; the first key changes last. Keys are shown by their last word if that is
+/// unique. Names are unique and fit a file system, if necessary by eight letters derived from the label.
+/// @throws InputError for more than 1000 runs
 std::vector<Variant> variants_of(const CaseFile& given, const std::vector<Variation>& variations);
 
-/// A case by its run's name, as it is written with every key in force.
+/// Maps a case, written with every key in force, to the name of its run.
 struct NamedCase {
   std::string name, text;
 };
 
-/// @throws InputError for two runs of one case, such as of 1.5mm and 0.0015
+/// @throws InputError for two runs of the same case, such as with 1.5mm and 0.0015
 void refuse_same_cases(const std::vector<NamedCase>& cases);
 
 } // namespace riedel

@@ -19,10 +19,10 @@
 namespace riedel {
 namespace {
 
-constexpr int dots_per_inch = 72; ///< so that a font's size is its height in pixels
+constexpr int dots_per_inch = 72; ///< a font's size is then its height in pixels
 
-/// The fonts built into VTK have no Greek letters and leave them blank, so a font file is preferred where the system
-/// has one: DejaVu Sans (Debian's fonts-dejavu-core) covers Greek, subscripts and mathematical signs.
+/// The fonts built into VTK have no Greek letters and leave them blank, so a font file is preferred if the system has
+/// one: DejaVu Sans (Debian's fonts-dejavu-core) covers Greek, subscripts and mathematical signs.
 std::string font_file() {
   for (const char* file :
        {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
@@ -33,7 +33,7 @@ std::string font_file() {
   return {};
 }
 
-/// The letters our labels use, in letters that VTK's own font has.
+/// The letters used in our labels, transcribed to those of VTK's own font.
 std::string spelled_out(std::string text) {
   constexpr std::array<std::pair<const char*, const char*>, 21> spelling{{
       {"α", "alpha"},  {"β", "beta"}, {"γ", "gamma"}, {"δ", "delta"}, {"Δ", "Delta"}, {"ε", "epsilon"}, {"θ", "theta"},
@@ -68,7 +68,7 @@ vtkStdString drawable(const std::string& text) {
 
 double text_width(const std::string& text, double size) {
   if (text.empty()) return 0;
-  constexpr double fine = 100; // measured large, since fonts come in whole pixels
+  constexpr double fine = 100; // measured at a large size, since font sizes are whole pixels
   std::array<int, 4> box{};
   vtkTextRenderer::GetInstance()->GetBoundingBox(font(fine), drawable(text), box.data(), dots_per_inch,
                                                  vtkTextRenderer::FreeType);
@@ -86,7 +86,7 @@ TextMask text_mask(const std::string& text, double size) {
   if (!renderer->RenderString(property, drawable(text), image, used.data(), dots_per_inch, vtkTextRenderer::FreeType) ||
       !renderer->GetMetrics(property, drawable(text), metrics, dots_per_inch, vtkTextRenderer::FreeType))
     throw RunError("VTK could not draw the text '" + text + "'");
-  // The image's rows count upwards from the lower edge of a line of text, and may begin below it.
+  // Image rows count upwards from the lower edge of the line of text, and may begin below it.
   const int* extent = image->GetExtent();
   const int base_line = -metrics.Descent.GetY();
   mask.width = used[0];

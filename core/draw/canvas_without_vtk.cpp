@@ -1,4 +1,4 @@
-/// What stands in for canvas.cpp in a build without VTK: drawings as SVG, whose texts are as wide as they usually are.
+/// Replaces canvas.cpp in a build without VTK: drawings as SVG, with estimated text widths.
 #include "core/base/error.hpp"
 #include "core/draw/canvas.hpp"
 #include "core/io/with_vtk.hpp"
@@ -8,7 +8,7 @@
 namespace riedel {
 
 double text_width(const std::string& text, double size) {
-  constexpr double usual = 0.6; // of a letter of DejaVu Sans, over the height of the font
+  constexpr double usual = 0.6; // width of a letter of DejaVu Sans over the font's height
   const auto letters = std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }); // of UTF-8
   return usual * size * static_cast<double>(letters);
 }

@@ -1,4 +1,4 @@
-/// Lines cut at a box.
+/// Clips lines at a box.
 #pragma once
 
 #include "core/draw/canvas.hpp"
@@ -20,15 +20,14 @@ inline std::optional<std::pair<Spot, Spot>> clip(Spot a, Spot b, const Box& box)
   };
   if (!cut(-dx, a.x - box.left) || !cut(dx, box.right - a.x) || !cut(-dy, a.y - box.top) || !cut(dy, box.bottom - a.y))
     return std::nullopt;
-  // Ends that are not cut stay the same to the bit, which a + 1 (b − a) would not; cut ones do not round out of the
-  // box.
+  // Ends that are not cut stay identical to the bit, unlike a + 1 (b − a); round-off moves no cut end out of the box.
   const auto spot = [&](double t) {
     return Spot{std::clamp(a.x + t * dx, box.left, box.right), std::clamp(a.y + t * dy, box.top, box.bottom)};
   };
   return std::pair{enter > 0 ? spot(enter) : a, leave < 1 ? spot(leave) : b};
 }
 
-/// The pieces of a line within the box. Points that are not finite interrupt it.
+/// The pieces of a line within the box. Points that are not finite interrupt the line.
 std::vector<std::vector<Spot>> clip(const std::vector<Spot>& line, const Box& box);
 
 } // namespace riedel

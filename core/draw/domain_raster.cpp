@@ -8,7 +8,7 @@
 namespace riedel {
 namespace {
 
-/// The parallelogram nearest to a point's domain: centre and half edges, in cells of the raster.
+/// Best-fit parallelogram of a point's domain: centre and half edges, in cells of the raster.
 struct Parallelogram {
   Spot centre, a, b;
   double determinant;
@@ -33,7 +33,7 @@ Parallelogram parallelogram(const double* corners, const Box& view, double cell)
   return domain;
 }
 
-/// Raises (grow) or lowers each cell of every row to the greatest or least value within `reach` cells along the row.
+/// Replaces each cell by the maximum (grow) or minimum within `reach` cells along its row.
 void spread_along_rows(std::vector<char>& inside, int width, int height, int reach, bool grow) {
   std::vector<int> sum(static_cast<std::size_t>(width) + 1, 0);
   for (int y = 0; y < height; ++y) {
@@ -54,7 +54,7 @@ std::vector<char> transposed(const std::vector<char>& cells, int width, int heig
   return result;
 }
 
-/// Copies the common part of two grids of cells, the second shifted by so many columns and rows.
+/// Copies the common part of two grids of cells, the second shifted by `shift` columns and rows.
 std::vector<char> shifted(const std::vector<char>& from, int width, int to_width, int to_height, int shift) {
   const int height = static_cast<int>(from.size()) / width;
   std::vector<char> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height), 0);
@@ -64,7 +64,7 @@ std::vector<char> shifted(const std::vector<char>& from, int width, int to_width
   return to;
 }
 
-/// Closes gaps and notches into which no square of 2 reach + 1 cells fits.
+/// Closes gaps and notches too narrow for a square of 2 reach + 1 cells.
 void close_gaps(std::vector<char>& inside, int width, int height, int reach) {
   const int wide = width + 2 * reach, high = height + 2 * reach; // room to grow at the borders
   inside = shifted(inside, width, wide, high, reach);
@@ -77,15 +77,15 @@ void close_gaps(std::vector<char>& inside, int width, int height, int reach) {
   inside = shifted(inside, wide, width, height, -reach);
 }
 
-constexpr double beyond = 3; ///< how far a domain may fill a gap beside it, in half edges
+constexpr double beyond = 3; ///< how far a domain may extend into a gap, in half edges
 
-/// A raster in the making.
+/// A raster under construction.
 struct Painting {
   DomainRaster raster;
-  std::vector<float> depth; ///< of each cell in the domain that owns it so far
+  std::vector<float> depth; ///< of each cell in its present owner's domain
   std::vector<char> inside; ///< whether any domain covers the cell
 
-  /// Gives the point every cell that lies deeper in its domain than in those before it.
+  /// Assigns to the point every cell that lies deeper in its domain than in those before it.
   void add(int point, const Parallelogram& domain) {
     const auto within = [](double value, int size) { return static_cast<int>(std::clamp(value, 0.0, double(size))); };
     const double dx = beyond * (std::abs(domain.a.x) + std::abs(domain.b.x));
@@ -106,8 +106,8 @@ struct Painting {
 
 } // namespace
 
-/// Domains of deformed points overlap and gape. A cell belongs to the domain in which it lies deepest, measured in the
-/// domain's own edges: domains that fit together show their true shape, others meet half way.
+/// Domains of deformed points overlap and leave gaps. A cell belongs to the domain in which it lies deepest, relative
+/// to the domain's edges: domains that fit together keep their true shape, others meet half way.
 DomainRaster rasterise_domains(const Frame& frame, const Box& view, double cell) {
   const int width = static_cast<int>(std::ceil((view.right - view.left) / cell - 1e-6));
   const int height = static_cast<int>(std::ceil((view.top - view.bottom) / cell - 1e-6));

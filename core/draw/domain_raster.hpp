@@ -1,4 +1,4 @@
-/// Which point's domain each pixel of a picture shows.
+/// Determines the point whose domain each pixel of a picture shows.
 #pragma once
 
 #include "core/draw/canvas.hpp"

@@ -8,7 +8,7 @@ namespace riedel {
 namespace {
 constexpr Color unknown{0.75, 0.75, 0.75};
 
-/// A bar with ends, and its length beneath.
+/// A scale bar with end marks, and its length below.
 void draw_length_bar(RasterCanvas& canvas, const Box& area, double length, double scale, double font) {
   const double bar = length * scale, width = text_width(length_text(length), font);
   const double left = area.left + 0.5 * (area.width() - bar), y = area.top + 0.5 * font, end = 0.3 * font;

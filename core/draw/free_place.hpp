@@ -1,4 +1,4 @@
-/// Room for a text among the curves of a plot.
+/// Finds room for a text among the curves of a plot.
 #pragma once
 
 #include "core/draw/canvas.hpp"
@@ -8,13 +8,13 @@
 
 namespace riedel {
 
-/// What is on the sheet already.
+/// What is already on the sheet.
 struct Occupied {
   std::vector<std::vector<Spot>> lines;
   std::vector<Box> boxes;
 };
 
-/// A place of that size within the area, a gap away from its sides and from all that is there: corners first, then
+/// A free box of that size within the area, with a gap to its sides and to everything on the sheet: corners first, then
 /// along the sides, then anywhere.
 std::optional<Box> free_place(const Box& area, double width, double height, double gap, const Occupied& occupied);
 

@@ -29,7 +29,7 @@ std::string hex(const Color& color) {
   return text.data();
 }
 
-/// A short piece of the curve.
+/// A short sample of the curve.
 std::string swatch(const Pen& pen) {
   std::string dashes;
   for (const double dash : pen.dashes) dashes += (dashes.empty() ? "" : " ") + std::to_string(dash);
@@ -38,16 +38,16 @@ std::string swatch(const Pen& pen) {
          (dashes.empty() ? "" : attribute("stroke-dasharray", dashes)) + "/></svg>";
 }
 
-/// The SVG of a plot inside a page: no XML header, and as wide as there is room.
+/// The SVG of a plot inside a page: without XML header, and as wide as the room available.
 std::string inline_svg(const Plot& plot) {
   std::string svg = svg_text(plot);
   svg.erase(0, svg.find("<svg"));
   return svg.insert(4, " role=\"img\"" + attribute("aria-label", plot.y_label + " over " + plot.x_label));
 }
 
-constexpr double bar_left = 24, bar_width = 304; ///< of the colours in the picture of their bar
+constexpr double bar_left = 24, bar_width = 304; ///< of the colours in the colour bar's picture
 
-/// Ticks and labels of the bar, as many as have room.
+/// Ticks and labels of the bar, as many as fit.
 std::string bar_ticks(const Interval& range) {
   constexpr double font = 11;
   std::vector<double> values;
@@ -69,7 +69,7 @@ std::string bar_ticks(const Interval& range) {
   return ticks;
 }
 
-/// @param id of its gradient, like no other's on the page
+/// @param id of its gradient, unique on the page
 std::string color_bar(const PagePictures& p, const std::string& id) {
   constexpr int stops = 16;
   std::string gradient;

@@ -1,4 +1,4 @@
-/// How a page looks and what a click on a run does.
+/// Appearance of a page, and its reaction to a click on a run.
 #pragma once
 
 namespace riedel {

@@ -8,7 +8,7 @@ namespace riedel {
 
 namespace {
 
-/// Okabe and Ito (2008), less the yellow, which is too faint for a line on white; then wine, indigo and olive.
+/// Okabe and Ito (2008), without the yellow, which is too faint for a line on white; then wine, indigo and olive.
 constexpr std::array<Color, 10> palette{{{0, 0.447, 0.698},
                                          {0.835, 0.369, 0},
                                          {0, 0.620, 0.451},

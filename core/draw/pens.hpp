@@ -1,33 +1,32 @@
-/// Colours, dashes and markers that tell the curves of a plot apart.
+/// Colours, dashes and markers that distinguish the curves of a plot.
 #pragma once
 
 #include "core/draw/canvas.hpp"
 
 namespace riedel {
 
-/// The n-th of ten colours, again and again: seven that the colour-blind can tell apart, then three darker ones.
+/// The n-th of ten colours, repeating: seven that are distinguishable with colour-blindness, then three darker ones.
 Color palette_color(std::size_t number);
 
-/// The n-th of eight patterns of dashes, again and again; the first is a whole line.
+/// The n-th of eight dash patterns, repeating; the first is a solid line.
 std::vector<double> dash_pattern(std::size_t number);
 
-/// The pen of the n-th curve that has neither colour nor style of its own: the palette again and again, with other
-/// dashes each time.
+/// The pen of the n-th curve that has neither colour nor style of its own: the palette, repeated with other dashes.
 Pen series_pen(std::size_t number);
 
-/// The pen of a curve that two things tell apart: the colour says the one, the dashes the other. Once the dashes are
-/// used up the colour is paler.
+/// The pen of a curve that is distinguished by two properties: one by colour, the other by dashes. When the dashes are
+/// used up, the colour becomes paler.
 Pen pen_of_two(std::size_t color, std::size_t dashes);
 
-/// Nearer to white. @param part 0: as it is, 1: white
+/// Mixes a colour with white. @param part 0: unchanged, 1: white
 Color paler(Color color, double part);
 
 enum class Marker { none, disc, square, diamond, triangle, cross };
 
-/// The n-th of the five, again and again.
+/// The n-th of five markers, repeating.
 Marker marker_of(std::size_t number);
 
-/// @param color of its outline; a disc is filled
+/// @param color of the outline; a disc is filled
 void draw_marker(Canvas& canvas, Marker marker, Spot centre, Color color);
 
 } // namespace riedel

@@ -14,7 +14,7 @@ namespace {
 constexpr Color grey{0.45, 0.45, 0.45};
 constexpr double millimetre = 1e-3; ///< [m]
 constexpr int bar_ticks = 6;
-constexpr double title_size = 1.1, subtitle_size = 0.9, heading_size = 1.25; ///< over the font's
+constexpr double title_size = 1.1, subtitle_size = 0.9, heading_size = 1.25; ///< relative to the font's
 constexpr std::size_t max_lines = 3;
 
 void check(const std::vector<Panel>& panels, const PictureOptions& options) {
@@ -47,12 +47,12 @@ Box common_view(const std::vector<Panel>& panels) {
 struct Layout {
   Box view;        ///< in metres, top > bottom
   Interval colors; ///< of the field
-  double font;     ///< [px], as all that follows
+  double font;     ///< [px], like all that follows
   double scale;    ///< pixels per metre
   double width, height;
   std::vector<std::string> heading;
   std::vector<std::vector<std::string>> titles, subtitles; ///< lines of each panel
-  std::size_t title_lines, subtitle_lines;                 ///< of the panel with the most
+  std::size_t title_lines, subtitle_lines;                 ///< the largest number in any panel
   std::vector<Box> areas;                                  ///< one for each panel, on whole pixels
   Box bar;
   std::vector<double> bar_values;
@@ -61,7 +61,7 @@ struct Layout {
 
 Interval millimetres(double low, double high) { return {low / millimetre, high / millimetre}; }
 
-/// Titles in lines of at most that width. @return width of the widest
+/// Splits titles into lines of at most that width. @return width of the widest
 double wrap_titles(Layout& l, const std::vector<Panel>& panels, const PictureOptions& options, double width) {
   l.heading = lines_of(options.title, heading_size * l.font, options.width - 3 * l.font, max_lines);
   double maximum = 0;
@@ -77,7 +77,7 @@ double wrap_titles(Layout& l, const std::vector<Panel>& panels, const PictureOpt
   return maximum;
 }
 
-/// Height of what stands above the panels, in sizes of the font.
+/// Height of everything above the panels, in font sizes.
 double heading_rows(const Layout& l) {
   const auto rows = [](std::size_t lines, double first, double next) {
     return lines == 0 ? 0 : first + next * static_cast<double>(lines - 1);
@@ -106,7 +106,7 @@ Layout lay_out(const std::vector<Panel>& panels, const PictureOptions& options) 
   l.scale = std::min(room / (count * across), std::max(options.height - top - bottom, 4 * l.font) / up);
   const double panel_width = std::floor(across * l.scale + 1e-6), panel_height = std::floor(up * l.scale + 1e-6);
   const double column = std::max(panel_width, titles + (count > 1 ? space : 0));
-  const double beside = 0.5 * (column - panel_width); // that a title is wider than its panel
+  const double beside = 0.5 * (column - panel_width); // excess of a title over its panel's width
   const double content =
       std::max(left, beside) + (count - 1) * (column + space) + panel_width + std::max(right, beside);
   l.width = std::max(content, widest(l.heading, heading_size * l.font) + 2 * space);
@@ -168,7 +168,7 @@ void draw_color_bar(RasterCanvas& canvas, const Layout& l, const std::string& la
                 {f, ink, Anchor::middle, true});
 }
 
-/// Lines of text above one another. @param at base line of the last
+/// Lines of text stacked upwards. @param at base line of the last
 void draw_upwards(RasterCanvas& canvas, Spot at, double step, const std::vector<std::string>& lines,
                   const Lettering& lettering) {
   for (std::size_t i = 0; i < lines.size(); ++i)

@@ -12,14 +12,14 @@ namespace riedel {
 struct PictureOptions {
   std::string field;
   int component = 0;
-  double unit = 1.0; ///< what the frame's numbers are multiplied by
+  double unit = 1.0; ///< factor for the frame's numbers
   std::string title, subtitle;
   std::string label;                  ///< of the colour bar, with the unit: "void ratio e [-]"
   std::optional<Interval> range = {}; ///< of the colours, in that unit; from the data if not given
-  int width = 1600, height = 1200;    ///< the largest size [px]; one of the two shrinks to what the specimen needs
+  int width = 1600, height = 1200;    ///< maximum [px]; one of the two shrinks to fit the specimen
 };
 
-/// One specimen of several that stand side by side.
+/// One of several specimens side by side.
 struct Panel {
   const Frame* frame = nullptr; ///< 2-D, with domains
   std::string title, subtitle;
@@ -30,8 +30,8 @@ struct Panel {
 /// if the file cannot be written.
 void write_field_picture(const std::filesystem::path& path, const Frame& frame, const PictureOptions& options);
 
-/// The same for several frames on one scale of lengths and one of colours; titles are those of the panels, and the
-/// options' title stands above all of them.
+/// The same for several frames with a common length scale and colour scale; titles are those of the panels, and the
+/// options' title is above all of them.
 void write_field_pictures(const std::filesystem::path& path, const std::vector<Panel>& panels,
                           const PictureOptions& options);
 

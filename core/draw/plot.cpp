@@ -16,7 +16,7 @@ constexpr Color shade{0.88, 0.88, 0.88};
 constexpr double thin = 0.8; ///< axes
 constexpr double dot_radius = 2.4;
 
-/// Lines of text beneath each other. @param at base line of the first
+/// Lines of text stacked downwards. @param at base line of the first
 void draw_lines(Canvas& canvas, Spot at, const std::vector<std::string>& lines, const Lettering& lettering) {
   const double step = line_of_text * lettering.size;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -25,7 +25,7 @@ void draw_lines(Canvas& canvas, Spot at, const std::vector<std::string>& lines, 
   }
 }
 
-/// The middle of a text of that width, as near as the sheet allows.
+/// Centre of a text of that width, as near to the given position as the sheet allows.
 double within_sheet(double middle, const std::vector<std::string>& lines, double size, double sheet) {
   double half = 0;
   for (const std::string& line : lines) half = std::max(half, 0.5 * text_width(line, size));
@@ -77,7 +77,7 @@ void draw_axes(Canvas& canvas, const PlotLayout& l) {
 
 bool finite(const Spot& s) { return std::isfinite(s.x) && std::isfinite(s.y); }
 
-/// Spots within the area that no line reaches, since their neighbours are not finite.
+/// Isolated points within the area: no line reaches them, since their neighbours are not finite.
 std::vector<Spot> alone(const std::vector<Spot>& spots, const Box& area) {
   std::vector<Spot> found;
   for (std::size_t i = 0; i < spots.size(); ++i)
@@ -116,7 +116,7 @@ void draw_references(Canvas& canvas, const Plot& plot, const PlotLayout& layout)
 }
 
 void draw_legend(Canvas& canvas, const PlotLayout& layout) {
-  if (layout.legend_box) canvas.rectangle(*layout.legend_box, white); // lines of the grid end at it
+  if (layout.legend_box) canvas.rectangle(*layout.legend_box, white); // hides the grid lines
   for (const LegendEntry& entry : layout.legend) {
     const double y = entry.corner.y + legend_row / 2, x = entry.corner.x;
     const Series& series = *entry.curve->series;

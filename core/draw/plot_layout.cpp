@@ -12,7 +12,7 @@ namespace riedel {
 namespace {
 
 constexpr double label_gap = 3;
-constexpr double most_beside = 0.45; ///< of the sheet's width, for a legend beside the axes
+constexpr double most_beside = 0.45; ///< largest share of the sheet's width for a legend beside the axes
 constexpr double text_space = line_of_text * small_font;
 constexpr std::size_t max_lines = 3;
 
@@ -41,7 +41,7 @@ PlotAxis y_axis(const Plot& plot) {
   return axis;
 }
 
-/// As many ticks as have room for their labels beside each other.
+/// As many ticks as have room for their labels.
 void put_x_ticks(PlotAxis& axis, const Plot& plot, double width) {
   for (int about = 7; about > 0; --about) {
     axis.ticks.clear();
@@ -60,7 +60,7 @@ void put_x_ticks(PlotAxis& axis, const Plot& plot, double width) {
   axis.labels.resize(axis.ticks.size());
 }
 
-/// Texts around the axes, and what they leave for them.
+/// Texts around the axes, and the room left for the axes.
 void frame_axes(PlotLayout& l, const Plot& plot, double right_margin) {
   l.title = lines_of(plot.title, large_font, l.width - 4 * gap, max_lines);
   l.x_label = lines_of(plot.x_label, small_font, l.width - 4 * gap, max_lines);
@@ -74,7 +74,7 @@ void frame_axes(PlotLayout& l, const Plot& plot, double right_margin) {
   area = {2 * gap + label + widest(l.axes.y.labels, small_font) + tick_length, above, l.width - right_margin - 3 * gap,
           plot.height - below};
   put_x_ticks(l.axes.x, plot, area.width());
-  // Half of a label at an end of the axis stands beyond it.
+  // Half of a label at an end of the axis extends beyond it.
   for (std::size_t i = 0; i < l.axes.x.ticks.size(); ++i) {
     const double half = 0.5 * text_width(l.axes.x.labels[i], small_font) + 2;
     const double x = l.axes.across((l.axes.x.ticks[i] - l.axes.x.range.low) / l.axes.x.range.width());
@@ -87,12 +87,12 @@ std::vector<Curve> curves_of(const Plot& plot, const PlotAxes& axes) {
   std::vector<Curve> curves;
   for (const Series& s : plot.series) {
     if (s.x.size() != s.y.size())
-      throw InputError("the curve '" + s.label + "' has " + std::to_string(s.x.size()) + " x and " +
-                       std::to_string(s.y.size()) + " y");
+      throw InputError("the curve '" + s.label + "' has " + std::to_string(s.x.size()) + " x values and " +
+                       std::to_string(s.y.size()) + " y values");
     Curve curve{&s, pen_of(s, curves.size()), {}};
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       const Spot spot = axes.spot(s.x[i], s.y[i]);
-      constexpr double fine = 0.2; // steps too short to be seen only make the file longer
+      constexpr double fine = 0.2; // invisibly short steps only make the file longer
       const bool visible = curve.spots.empty() || i + 1 == s.x.size() || s.marker != Marker::none ||
                            !(std::hypot(spot.x - curve.spots.back().x, spot.y - curve.spots.back().y) < fine);
       if (visible) curve.spots.push_back(spot);
@@ -102,7 +102,7 @@ std::vector<Curve> curves_of(const Plot& plot, const PlotAxes& axes) {
   return curves;
 }
 
-/// A label stands on its line at the right end, or wherever else no curve passes.
+/// The label of a reference line is on the line at the right end, or wherever no curve passes.
 Box reference_place(const std::string& label, double y, const Box& area, const Occupied& occupied) {
   const double width = text_width(label, small_font), height = small_font + 2 * label_gap;
   const Box above{area.left, y - height, area.right, y}, below{area.left, y, area.right, y + height};
@@ -111,7 +111,7 @@ Box reference_place(const std::string& label, double y, const Box& area, const O
   return {area.right - width - gap, y - small_font - label_gap, area.right - gap, y - label_gap};
 }
 
-/// Curves and the labels of reference lines within the axes. @return what they occupy
+/// Curves and the labels of reference lines within the axes. @return the areas they occupy
 Occupied fill_axes(PlotLayout& l, const Plot& plot) {
   Occupied occupied;
   const Box& area = l.axes.area;
@@ -127,7 +127,7 @@ Occupied fill_axes(PlotLayout& l, const Plot& plot) {
   return occupied;
 }
 
-/// Entries in so many columns of that width, row by row of so many lines.
+/// Entries in columns of the given number and width, row by row with the given number of lines.
 void put_legend(PlotLayout& l, Spot corner, std::size_t columns, double column_width, double row) {
   for (std::size_t i = 0; i < l.legend.size(); ++i)
     l.legend[i].corner = {corner.x + static_cast<double>(i % columns) * column_width,

@@ -1,17 +1,17 @@
-/// Where everything of a plot stands on its sheet.
+/// Positions of all parts of a plot on its sheet.
 #pragma once
 
 #include "core/draw/plot.hpp"
 
 namespace riedel {
 
-constexpr double small_font = 12, large_font = 14; ///< sizes of ticks, labels and legend; of the title
+constexpr double small_font = 12, large_font = 14; ///< of ticks, labels and legend; of the title
 constexpr double tick_length = 5, gap = 6;
-constexpr double legend_sample = 26, legend_row = 1.5 * small_font; ///< line shown in the legend, its rows
-constexpr double line_of_text = 1.25;                               ///< from one line to the next, in sizes of the font
+constexpr double legend_sample = 26, legend_row = 1.5 * small_font; ///< length of line samples, height of rows
+constexpr double line_of_text = 1.25;                               ///< from one line to the next, in font sizes
 
 struct PlotAxis {
-  Interval range; ///< of decimal logarithms where the axis is logarithmic, as are the ticks
+  Interval range; ///< of decimal logarithms if the axis is logarithmic, like the ticks
   bool logarithmic = false;
   std::vector<double> ticks = {};
   std::vector<std::string> labels = {};
@@ -19,7 +19,7 @@ struct PlotAxis {
   [[nodiscard]] double part(double value) const;
 };
 
-/// Places on the sheet for the values of a plot.
+/// Maps the values of a plot to positions on the sheet.
 struct PlotAxes {
   PlotAxis x, y;
   Box area;
@@ -31,7 +31,7 @@ struct PlotAxes {
 struct Curve {
   const Series* series;
   Pen pen;
-  std::vector<Spot> spots; ///< on the sheet, before they are cut
+  std::vector<Spot> spots; ///< on the sheet, before clipping
 };
 
 struct LegendEntry {
@@ -50,7 +50,7 @@ struct PlotLayout {
   std::optional<Box> legend_box; ///< among the curves
 };
 
-/// @throws InputError if a curve has not as many x as y
+/// @throws InputError if a curve has different numbers of x and y values
 PlotLayout lay_out(const Plot& plot);
 
 } // namespace riedel

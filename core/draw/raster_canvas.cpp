@@ -66,8 +66,8 @@ void RasterCanvas::line(const std::vector<Spot>& spots, const Pen& pen) {
   for (const auto& piece : dashes_of(scaled, lengths)) stroke(piece, half_width, pen.color);
 }
 
-/// A pixel is covered by how far it lies within half a width of the nearest segment. The greatest cover of all segments
-/// counts, so that joints are no darker than the rest.
+/// A pixel is covered according to its distance from the nearest segment, within half a width. The largest coverage
+/// over all segments counts, so that joints are no darker than the rest.
 void RasterCanvas::stroke(const std::vector<Spot>& spots, double half_width, Color color) {
   const double reach = half_width + 0.5;
   double left = spots[0].x, right = left, top = spots[0].y, bottom = top;

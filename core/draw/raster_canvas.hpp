@@ -7,7 +7,7 @@ namespace riedel {
 
 class RasterCanvas final : public Canvas {
 public:
-  /// @param scale pixels for one unit of the layout
+  /// @param scale pixels per unit of the layout
   RasterCanvas(double width, double height, double scale = 1);
 
   void line(const std::vector<Spot>& spots, const Pen& pen) override;
@@ -18,7 +18,7 @@ public:
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// Lays a colour over one pixel; pixels outside the sheet are ignored. @param cover 0 (nothing) to 1 (opaque)
+  /// Blends a colour over one pixel; pixels outside the sheet are ignored. @param cover 0 (nothing) to 1 (opaque)
   void blend(int x, int y, Color color, double cover);
 
 private:

@@ -8,7 +8,7 @@
 namespace riedel {
 
 void Extent::add(double value) {
-  constexpr double maximum = 1e300; // the width of the interval must be a number, too
+  constexpr double maximum = 1e300; // the width of the interval must not overflow
   if (!(std::abs(value) <= maximum)) return;
   low_ = std::min(low_, value);
   high_ = std::max(high_, value);
@@ -17,7 +17,7 @@ void Extent::add(double value) {
 Interval Extent::interval(double margin) const {
   if (low_ > high_) return {0, 1};
   const double size = std::max(std::abs(low_), std::abs(high_));
-  if (high_ - low_ <= 1e-12 * size || size < 1e-300) { // all the same, but for rounding
+  if (high_ - low_ <= 1e-12 * size || size < 1e-300) { // all equal, up to rounding
     const double half = size < 1e-300 ? 0.5 : 0.05 * size;
     return {low_ - half, high_ + half};
   }
@@ -36,20 +36,20 @@ std::vector<double> round_ticks(const Interval& interval, int about) {
   const double slack = 1e-9 * interval.width(), first = std::ceil((interval.low - slack) / step);
   std::vector<double> ticks;
   for (int k = 0; (first + k) * step <= interval.high + slack; ++k) ticks.push_back((first + k) * step);
-  constexpr int maximum = 16; // one alone says nothing of the scale
+  constexpr int maximum = 16; // a single tick does not show the scale
   return ticks.size() < 2 && 2 * about <= maximum ? round_ticks(interval, 2 * about) : ticks;
 }
 
 namespace {
 
-/// An exponent as a label has it. @param decimals of the mantissa
+/// A power of ten as shown in a label. @param decimals of the mantissa
 std::string with_exponent(double mantissa, int exponent, int decimals) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*fe%s%d", decimals, mantissa, exponent < 0 ? "−" : "", std::abs(exponent));
   return text.data();
 }
 
-/// Of a positive number with so many digits at most.
+/// A positive number with at most this many digits.
 std::string digits_of(double value, int digits) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*g", digits, value);
@@ -109,7 +109,7 @@ std::vector<double> log_ticks(const Interval& logarithms, int maximum) {
 
 std::vector<std::string> log_tick_labels(const std::vector<double>& ticks) {
   std::vector<std::string> labels;
-  for (int digits = 6; digits <= 16; ++digits) { // until no two are alike
+  for (int digits = 6; digits <= 16; ++digits) { // until no two are equal
     labels.clear();
     for (const double tick : ticks) labels.push_back(digits_of(std::pow(10.0, tick), digits));
     if (std::ranges::adjacent_find(labels) == labels.end()) break;
@@ -118,7 +118,7 @@ std::vector<std::string> log_tick_labels(const std::vector<double>& ticks) {
 }
 
 Color viridis(double part) {
-  // Eleven even steps of the map by van der Walt and Smith (2015), straight lines between.
+  // Eleven even steps of the map by van der Walt and Smith (2015), interpolated linearly.
   constexpr std::array<unsigned, 11> stops{0x440154, 0x482475, 0x414487, 0x355f8d, 0x2a788e, 0x21918c,
                                            0x22a884, 0x44bf70, 0x7ad151, 0xbddf26, 0xfde725};
   const double at = std::clamp(part, 0.0, 1.0) * 10;

@@ -16,36 +16,36 @@ struct Interval {
   [[nodiscard]] double part(double value) const { return (value - low) / (high - low); } ///< 0 at low, 1 at high
 };
 
-/// The range of the values it is given, without those that are not finite, or beyond what an axis can span (1e300).
+/// The range of the given values, ignoring those that are not finite, or beyond what an axis can span (1e300).
 class Extent {
 public:
   void add(double value);
-  /// Never of zero width. @param margin part of the width that is added on both sides; with a margin, a low
-  /// end that is near zero becomes zero
+  /// Never of zero width. @param margin share of the width that is added on both sides; with a margin, a low end near
+  /// zero becomes zero
   [[nodiscard]] Interval interval(double margin) const;
 
 private:
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-/// Multiples of 1, 2 or 5 times a power of ten within the interval, about as many as asked for; its low end where it is
-/// too narrow for numbers to tell ticks apart.
+/// Multiples of 1, 2 or 5 times a power of ten within the interval, about as many as requested; only its low end if it
+/// is too narrow for ticks to differ as numbers.
 std::vector<double> round_ticks(const Interval& interval, int about);
 
-/// Ticks of a logarithmic axis: powers of ten within the interval of decimal logarithms; where it is short, 2 and 5
-/// times these, too, or round numbers; where it is long, not every one. @return decimal logarithms
+/// Ticks of a logarithmic axis: powers of ten within the interval of decimal logarithms; for a short interval also 2
+/// and 5 times these, or round numbers; for a long one not every power. @return decimal logarithms
 std::vector<double> log_ticks(const Interval& logarithms, int maximum = 10);
 
 /// The label of each tick on a logarithmic axis.
 std::vector<std::string> log_tick_labels(const std::vector<double>& ticks);
 
-/// Labels of those ticks with just the decimals that tell them apart, and a true minus sign.
+/// Labels of those ticks with just enough decimals to differ, and a true minus sign.
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 
-/// A number in the fewest digits, such as "4", "0.55" or "2e−6".
+/// A number with the fewest digits, such as "4", "0.55" or "2e−6".
 std::string plain_number(double value);
 
-/// The colour map viridis: dark purple at 0, yellow at 1, evenly perceived between, in print and by the colour-blind.
+/// The colour map viridis: dark purple at 0, yellow at 1, perceptually uniform, also in print and for the colour-blind.
 Color viridis(double part);
 
 } // namespace riedel

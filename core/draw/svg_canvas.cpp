@@ -7,7 +7,7 @@
 namespace riedel {
 namespace {
 
-/// Hundredths are finer than any screen or printer.
+/// Hundredths are finer than the resolution of any screen or printer.
 std::string number(double value) {
   const long long hundredths = std::llround(value * 100);
   const long long whole = std::llabs(hundredths) / 100, rest = std::llabs(hundredths) % 100;

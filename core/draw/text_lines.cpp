@@ -23,7 +23,7 @@ std::size_t end_of_letter(const std::string& text, std::size_t start) {
   return end;
 }
 
-/// How much wider a letter makes a text, in sizes of the font. Fonts are slow to ask.
+/// Additional width by a letter, in font sizes. Querying fonts is slow.
 double advance(const std::string& letter) {
   static std::map<std::string, double> known;
   const auto found = known.find(letter);

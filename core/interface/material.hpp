@@ -1,5 +1,5 @@
-/// A constitutive law: from a block of strain rates to stresses. Always three-dimensional, so that the same law serves
-/// a single point, plane strain and 3-D.
+/// A constitutive law: from a block of strain rates to stresses. Always three-dimensional, so that one law serves a
+/// single point, plane strain and 3-D.
 #pragma once
 
 #include "core/base/registry.hpp"
@@ -9,7 +9,7 @@
 
 namespace riedel {
 
-/// A state variable that the law declares and the solver carries.
+/// A state variable, declared by the law and stored by the solver.
 struct StateVariable {
   std::string name;
   std::string unit;
@@ -17,39 +17,39 @@ struct StateVariable {
   int components = 1; ///< 1: scalar; 6: symmetric tensor in Mandel components, rotated by the solver
 };
 
-/// How points moved over a step, for a law that follows their motion: matrices, row by row.
+/// Motion of points over a step, for laws that follow it: matrices, row by row.
 struct Motion {
   std::array<const double*, 9> velocity_gradient{};    ///< L [1/s]
   std::array<const double*, 9> deformation_gradient{}; ///< F at the end of the step [-]
   std::array<const double*, 9> gradient_before{};      ///< F at its start [-]
-  std::array<const double*, 9> rotation{};             ///< Q, by which stress and tensors have been turned [-]
+  std::array<const double*, 9> rotation{};             ///< Q, by which stress and tensors have been rotated [-]
 };
 
-/// The points handed to a law at once: columns of `size` numbers.
+/// The points passed to a law at once: columns of `size` numbers.
 struct MaterialBatch {
   Index size = 0;
   double time_step = 0.0;          ///< Δt [s]
   double time = 0.0;               ///< at the start of the step [s]
-  double stage_time = 0.0;         ///< the same, since the stage of the test began [s]
-  int stage = 1;                   ///< of the test, from 1
-  std::int64_t increment = 1;      ///< number of the step in its stage, from 1
+  double stage_time = 0.0;         ///< the same, from the start of the test's stage [s]
+  int stage = 1;                   ///< of the test, counted from 1
+  std::int64_t increment = 1;      ///< number of the step in its stage, counted from 1
   std::array<double*, 6> stress{}; ///< Cauchy, tension positive, Mandel, already rotated by the solver [Pa]; in, out
   std::array<const double*, 6> rate{}; ///< rate of deformation D, Mandel [1/s]
   const double* averaged = nullptr;    ///< non-local average of the scalar the law named; null: local
-  std::span<double* const> state{};    ///< a column per component of the declared variables; in, out
-  const Motion* motion = nullptr;      ///< for a law that follows it; null where only rates of strain are known
-  const Index* id = nullptr;           ///< numbers that the points keep, from 0; null: their places in the batch
+  std::span<double* const> state{};    ///< one column per component of the declared variables; in, out
+  const Motion* motion = nullptr;      ///< for a law that follows it; null if only strain rates are known
+  const Index* id = nullptr;           ///< permanent numbers of the points, from 0; null: their places in the batch
 };
 
-/// What happened inside one call, or many.
+/// Events in one call or in several.
 struct MaterialReport {
-  std::int64_t evaluated_twice = 0;   ///< points whose step took a second evaluation of the rate
-  std::int64_t substepped = 0;        ///< points whose step had to be cut
-  std::int64_t substeps = 0;          ///< taken by points that were integrated alone
-  std::int64_t rejected_substeps = 0; ///< of theirs, tried and found too long
-  std::int64_t low_pressure = 0;      ///< points returned to the least pressure
-  std::int64_t separated = 0;         ///< points that carry no stress
-  std::int64_t failures = 0;          ///< points that could not be integrated; their state is left as it was
+  std::int64_t evaluated_twice = 0;   ///< points whose step needed a second evaluation of the rate
+  std::int64_t substepped = 0;        ///< points whose step was divided into substeps
+  std::int64_t substeps = 0;          ///< taken by points that were integrated one by one
+  std::int64_t rejected_substeps = 0; ///< of these, attempts that were too long
+  std::int64_t low_pressure = 0;      ///< points returned to the minimum pressure
+  std::int64_t separated = 0;         ///< stress-free points, grains out of contact
+  std::int64_t failures = 0;          ///< points that could not be integrated; their state is unchanged
   Index first_failure = -1;
   std::string_view reason{}; ///< why the first one failed
 
@@ -57,10 +57,10 @@ struct MaterialReport {
   void fail(Index point, std::string_view why); ///< counts a point that could not be integrated
 };
 
-/// The state of a block as the time step and the run's report need it.
+/// The state of a block, as needed for the time step and the run's report.
 struct MaterialLimits {
-  double wave_speed = 0.0;        ///< greatest speed of a compression wave [m/s]
-  std::int64_t out_of_bounds = 0; ///< points whose state the law does not admit (a void ratio below e_d, say)
+  double wave_speed = 0.0;        ///< largest speed of a compression wave [m/s]
+  std::int64_t out_of_bounds = 0; ///< points whose state the law does not admit (for example a void ratio below e_d)
 
   void add(const MaterialLimits& other) {
     wave_speed = std::max(wave_speed, other.wave_speed);
@@ -76,16 +76,16 @@ public:
   Material& operator=(const Material&) = delete;
 
   [[nodiscard]] virtual std::span<const StateVariable> states() const = 0;
-  /// Scalars that the law can take averaged over a neighbourhood: `rate_norm` (‖D‖) or one of its state variables.
+  /// Scalars of which the law can use a non-local average: `rate_norm` (‖D‖) or one of its state variables.
   [[nodiscard]] virtual std::vector<std::string> nonlocal_variables() const { return {}; }
-  /// Values of the state components before anything has happened; a driver puts its void ratio in their place.
+  /// Initial values of the state components; a driver replaces the void ratio by its own.
   [[nodiscard]] virtual std::vector<double> initial_state() const;
-  /// Whether the law asks for the points' motion beside the rate of deformation; their rotation is the solver's.
+  /// Whether the law also needs the points' motion, not only the rate of deformation; the solver rotates its tensors.
   [[nodiscard]] virtual bool follows_motion() const { return false; }
   /// @param state one value per state component   @return bulk density [kg/m³]
   [[nodiscard]] virtual double density(std::span<const double> state) const = 0;
-  /// Advances stress and state by one step. What fails at a point stands in the report; an exception ends the run, on
-  /// whatever thread it is thrown.
+  /// Advances stress and state by one step. Failures at points go into the report; an exception ends the run, whichever
+  /// thread throws it.
   virtual void integrate(const MaterialBatch& batch, MaterialReport& report) const = 0;
   [[nodiscard]] virtual MaterialLimits assess(const MaterialBatch& batch) const = 0;
 };
@@ -110,7 +110,7 @@ inline void MaterialReport::fail(Index point, std::string_view why) {
   if (failures++ == 0) first_failure = point, reason = why;
 }
 
-/// Number of columns that the variables take.
+/// Number of columns of the variables.
 inline int state_components(std::span<const StateVariable> states) {
   int count = 0;
   for (const StateVariable& variable : states) count += variable.components;

@@ -1,4 +1,4 @@
-/// Which points lie near which: from positions and a radius to rows of neighbours.
+/// Finds neighbouring points: from positions and a radius to rows of neighbours.
 #pragma once
 
 #include "core/base/columns.hpp"
@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// Neighbours of point p: index[start[p]] … index[start[p + 1] − 1], rising, p itself included.
+/// Neighbours of point p: index[start[p]] … index[start[p + 1] − 1], ascending, including p itself.
 struct NeighbourRows {
   std::vector<std::int64_t> start;
   std::vector<Index> index;
@@ -22,14 +22,14 @@ public:
   NeighbourSearch(const NeighbourSearch&) = delete;
   NeighbourSearch& operator=(const NeighbourSearch&) = delete;
 
-  /// @param positions Dim columns [m]   @param radius [m]   @param rows overwritten; its memory is used again
+  /// @param positions Dim columns [m] @param radius [m] @param rows overwritten; its memory is reused
   virtual void find(const Columns& positions, double radius, NeighbourRows& rows) = 0;
 };
 
 template <int Dim>
 using NeighbourSearches = Registry<std::unique_ptr<NeighbourSearch<Dim>>()>;
 
-/// |x_p − x_q|² as the contract sums it [m²].
+/// |x_p − x_q|², summed as in the contract [m²].
 template <int Dim>
 double squared_distance(const Columns& positions, Index p, Index q) {
   double sum = 0.0;

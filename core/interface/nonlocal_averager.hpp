@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-/// Contract, tested for every registered averager: a uniform field stays as it is, also at the edges.
+/// Contract, tested for every registered averager: a uniform field is unchanged, also at the edges.
 template <int Dim>
 class NonlocalAverager {
 public:
@@ -14,19 +14,19 @@ public:
   NonlocalAverager(const NonlocalAverager&) = delete;
   NonlocalAverager& operator=(const NonlocalAverager&) = delete;
 
-  /// Finds neighbours and weights for where the points are now; to be called whenever they have moved.
+  /// Finds neighbours and weights for the present positions; to be called whenever the points have moved.
   /// @param positions Dim columns [m]
   virtual void update_neighbours(const Columns& positions) = 0;
   /// averaged(p) = Σ_q ω_pq V_q field(q) / Σ_q ω_pq V_q, with the weights of the last `update_neighbours`.
-  /// @param volumes [m³ or m²]   @param field, averaged columns of as many numbers as points were followed
+  /// @param volumes [m³ or m²] @param field, averaged columns with one number per point of the last update
   virtual void average(const double* volumes, const double* field, double* averaged) = 0;
-  /// Must be called when points have changed their numbers.
+  /// Must be called when points have been renumbered.
   virtual void invalidate() = 0;
-  /// How far it may be from the sum over all pairs, for a field that varies by one from point to point [-].
+  /// Largest deviation from the sum over all pairs, for a field that varies by one from point to point [-].
   [[nodiscard]] virtual double tolerance() const { return 3e-7; }
-  /// Whether it remembers each pair of neighbours, which takes most of a run's memory.
+  /// Whether it stores each pair of neighbours, which takes most of a run's memory.
   [[nodiscard]] virtual bool keeps_pairs() const { return true; }
-  /// Times that neighbours were searched for.
+  /// Number of neighbour searches so far.
   [[nodiscard]] virtual std::int64_t searches() const = 0;
 };
 

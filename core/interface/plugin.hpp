@@ -1,24 +1,24 @@
-/// Plug-ins: shared libraries that bring laws, schemes, searches, averagers, boundary conditions or transfers of their
-/// own, and go through the same classes as the built-in ones. A plug-in is one source file that ends with, for example,
+/// Plug-ins: shared libraries that provide user-defined laws, schemes, searches, averagers, boundary conditions or
+/// transfers, through the same classes as the built-in ones. A plug-in is one source file that ends with, for example,
 ///   RIEDEL_PLUGIN(riedel::material<Barodesy>)
-/// docs/howto/write_a_material.md goes from an equation to a run.
+/// docs/howto/write_a_material.md leads from an equation to a run.
 #pragma once
 
 #include "core/interface/catalogue.hpp"
 
 namespace riedel {
 
-/// Goes up when a library compiled against older headers would be misunderstood.
+/// Incremented when a library compiled against older headers would be misinterpreted.
 inline constexpr std::uint32_t plugin_abi = 3;
 
-/// What a plug-in exports under the name `riedel_plugin`. The first two members keep their places for ever.
+/// What a plug-in exports under the name `riedel_plugin`. The first two members never move.
 struct Plugin {
   std::array<char, 12> magic{'r', 'i', 'e', 'd', 'e', 'l', ' ', 'p', 'l', 'u', 'g', '\0'};
   std::uint32_t abi = plugin_abi;
   const char* version = RIEDEL_VERSION; ///< of the headers it was compiled with
   const char* compiler = __VERSION__;
-  std::uint32_t sizes = sizes_of_types(); ///< of what both sides must lay out alike
-  void (*enlist)(Catalogue&) = nullptr;   ///< adds what the plug-in brings
+  std::uint32_t sizes = sizes_of_types(); ///< of types that must have the same layout on both sides
+  void (*enlist)(Catalogue&) = nullptr;   ///< adds the entries of the plug-in
 
   static constexpr std::uint32_t sizes_of_types() {
     std::uint32_t mixed = __GXX_ABI_VERSION;
@@ -33,12 +33,12 @@ struct Plugin {
 };
 
 /// A class of a plug-in has `name`, and may have `summary` and `source`, all `static constexpr std::string_view`, and
-/// `static Keys parameters()` if a case can set anything for it.
+/// `static Keys parameters()` if a case can set any.
 template <class Entry>
 Description description_of() {
   Description answer{.name = "", .summary = "from a plug-in", .source = ""};
   if constexpr (requires { Entry::kind; })
-    answer.name = Entry::kind; // a boundary condition's name is its user's
+    answer.name = Entry::kind; // users name their boundary conditions
   else
     answer.name = Entry::name;
   if constexpr (requires { Entry::summary; }) answer.summary = Entry::summary;
@@ -47,7 +47,7 @@ Description description_of() {
   return answer;
 }
 
-/// From the values of its parameters where the class takes them.
+/// Makes an object from the values of its parameters if the class takes them.
 template <class Entry>
 std::unique_ptr<Entry> made_from(const Values& values) {
   if constexpr (std::is_constructible_v<Entry, const Values&>)
@@ -82,7 +82,7 @@ void averager_in(Catalogue& catalogue) {
                                     });
 }
 
-/// Of a class that is made from l_c [m] and a search.
+/// For a class that is made from l_c [m] and a search.
 template <template <int> class Averager>
 void averager(Catalogue& catalogue) {
   averager_in<Averager, 2>(catalogue);
@@ -97,7 +97,7 @@ void boundary_condition_in(Catalogue& catalogue) {
                                      });
 }
 
-/// Of a class that is made from a name, a place and the values of its parameters, and whose registered name is `kind`.
+/// For a class that is made from a name, a place and the values of its parameters, and is registered under `kind`.
 template <template <int> class Condition>
 void boundary_condition(Catalogue& catalogue) {
   boundary_condition_in<Condition, 2>(catalogue);
@@ -111,7 +111,7 @@ void all_of(Catalogue& catalogue) {
 
 } // namespace riedel
 
-/// Exports a plug-in that brings what is named: material<Law>, scheme<Scheme>, neighbour_search<Search>,
+/// Exports a plug-in that provides its arguments: material<Law>, scheme<Scheme>, neighbour_search<Search>,
 /// averager<Averager>, boundary_condition<Condition>, transfer<Transfer> of core/step/transfer_plugin.hpp, one or more,
 /// all from the namespace riedel.
 #define RIEDEL_PLUGIN(...)                                                                                             \

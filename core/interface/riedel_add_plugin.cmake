@@ -1,5 +1,5 @@
-# riedel_add_plugin(name source.cpp...): a plug-in name.so for Riedel's program, compiled as its own libraries are, so
-# that a law gives the same bits and the same speed in either place.
+# riedel_add_plugin(name source.cpp...): a plug-in name.so for Riedel's program, compiled like its own libraries, so
+# that a law gives identical results at the same speed.
 function(riedel_add_plugin name)
   add_library(${name} MODULE ${ARGN})
   target_link_libraries(${name} PRIVATE riedel::core)
@@ -9,7 +9,7 @@ function(riedel_add_plugin name)
                                            CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
-# Laws are ten times slower without optimisation, and nobody wants that by default.
+# By default optimise: laws are ten times slower without.
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()

@@ -10,11 +10,11 @@
 
 namespace riedel {
 
-/// Corners of a point's domain [m]: corner c lies on the upper side along axis a where bit a of c is set.
+/// Corners of a point's domain [m]: corner c is on the upper side along axis a if bit a of c is set.
 template <int Dim>
 using Corners = std::array<Vec<Dim>, power(2, Dim)>;
 
-/// Contract, tested for every registered scheme in two and three dimensions: Σ N = 1, Σ ∇N = 0, linear fields and their
+/// Contract, tested for every registered scheme in two and three dimensions: Σ N = 1, Σ ∇N = 0; linear fields and their
 /// gradients are exact. N and ∇N may have different support.
 template <int Dim>
 class ShapeFunction {
@@ -24,49 +24,49 @@ public:
   ShapeFunction(const ShapeFunction&) = delete;
   ShapeFunction& operator=(const ShapeFunction&) = delete;
 
-  /// What the scheme promises beside the contract; problems with known answers and tests expect no more, and no less.
+  /// Properties beyond the contract; benchmark problems and tests expect exactly these.
   [[nodiscard]] virtual SchemeTraits traits() const { return {}; }
-  /// Most entries that one point's stencil can have.
+  /// Maximum number of entries in one point's stencil.
   [[nodiscard]] virtual int max_nodes() const = 0;
-  /// Layers of nodes needed beyond those of a cell that holds a point.
+  /// Layers of nodes needed beyond those of a cell that contains a point.
   [[nodiscard]] virtual int margin() const = 0;
-  /// Share of a point's mass below which a node carries no motion [-]: slivers under hats have forces that do not fade
-  /// with their mass. Where gradients fade, too, a node left out would be missed by them before it is by the masses.
+  /// Share of a point's mass below which a node carries no motion [-]: tiny masses under hats have forces that do not
+  /// vanish with the mass. If gradients vanish too, leaving out a node affects them sooner than the masses.
   [[nodiscard]] virtual double mass_cutoff() const { return 1e-12; }
-  /// Fills the stencils of the points in `block`, whole groups of eight: `block.begin` is a multiple of eight. Lanes
+  /// Fills the stencils of the points in `block`, in whole groups of eight: `block.begin` is a multiple of eight. Lanes
   /// past the last point repeat it. A point whose support leaves the grid is marked lost and gets zero weights.
   virtual void evaluate(const Grid<Dim>& grid, const Points<Dim>& points, Range block,
                         Stencils<Dim>& stencils) const = 0;
-  /// Whether a point has weight on either side of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
-  /// (x_i − x_p) has an inverse, by which affine transfers divide. Hats at a point have none on a line of nodes.
+  /// Whether a point has weight on both sides of it along every axis wherever it lies, so that Σ_i N_ip (x_i − x_p) ⊗
+  /// (x_i − x_p) has an inverse, which affine transfers need. Hats at a point on a line of nodes have none.
   [[nodiscard]] virtual bool supports_affine() const { return true; }
-  /// Whether its gradients are those of its weights. If not, the forces on the nodes see other stresses than the
-  /// weights do, and the stress filter, which goes by the weights, is refused.
+  /// Whether its gradients are those of its weights. Otherwise the stresses in the nodal forces differ from those of
+  /// the weights, and the stress filter, which uses the weights, is refused.
   [[nodiscard]] virtual bool gradients_follow_weights() const { return true; }
 
-  /// Whether hats are interpolated between the corners of a point's domain, so that a load on one of its faces belongs
-  /// to the corners; or else hats are integrated over it as they are.
+  /// Whether hats are interpolated between the corners of a point's domain, so that a load on one of its faces acts on
+  /// the corners; otherwise exact hats are integrated over the domain.
   [[nodiscard]] virtual bool traction_at_corners() const { return false; }
 
-  /// Numbers that the scheme keeps for each point from step to step, in `points.scheme_data`: the library makes room
-  /// for them and carries them with the points.
+  /// Numbers that the scheme stores for each point from step to step, in `points.scheme_data`: the library allocates
+  /// them and keeps them with the points.
   [[nodiscard]] virtual int point_data_size() const { return 0; }
-  /// Sets these numbers, from positions, domains and deformation.
+  /// Initialises these numbers from positions, domains and deformation.
   virtual void initialise(const Grid<Dim>&, Points<Dim>&) const {}
-  /// At the end of a step, if there are such numbers: moves them, and positions if it must, with the velocities of the
-  /// nodes that deformed the points in `block`. Points may be in motion on other threads.
+  /// At the end of a step, if there are such numbers: updates them, and positions if necessary, with the velocities of
+  /// the nodes that deformed the points in `block`. Points may be moving on other threads.
   virtual void move(const Grid<Dim>&, const Nodes<Dim>&, double /*dt*/, Points<Dim>&, Range /*block*/) const {}
 
-  /// Numbers that the scheme works out for each node at the start of a step.
+  /// Numbers that the scheme computes for each node at the start of a step.
   [[nodiscard]] virtual int node_data_size() const { return 0; }
-  /// Works them out for one body, before its stencils: the same bits for any number of threads, nothing allocated.
-  /// Stencils carry them to `evaluate`.
+  /// Computes them for one body, before its stencils: identical to the bit for any number of threads, without
+  /// allocation. Stencils carry them to `evaluate`.
   virtual void prepare(const Grid<Dim>&, const Points<Dim>&, Columns& /*node_data*/) const {}
 
-  /// Half edges of the domain that the scheme gives a point, as columns [m]; a box or a parallelogram to draw. For a
-  /// scheme that knows no domain a box of the point's volume, in the proportions it started with, stands for it.
+  /// Half edges of the point's domain, as columns [m]; a box or a parallelogram to draw. A scheme without domains gives
+  /// a box of the point's volume, with its initial proportions.
   [[nodiscard]] virtual Mat<Dim> domain(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const;
-  /// Corners of the domain to draw, for one that is no parallelogram.
+  /// Corners of the domain to draw, if it is not a parallelogram.
   [[nodiscard]] virtual Corners<Dim> corners(const Grid<Dim>& grid, const Points<Dim>& points, Index p) const;
 };
 
@@ -88,7 +88,7 @@ Corners<Dim> ShapeFunction<Dim>::corners(const Grid<Dim>& grid, const Points<Dim
   return all;
 }
 
-/// Makes room for what a scheme keeps for each point, and sets it.
+/// Allocates and initialises what a scheme stores for each point.
 template <int Dim>
 void initialise(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points) {
   if (points.scheme_data.components() != scheme.point_data_size())

@@ -37,7 +37,7 @@ int flags_of(OutputFile::Opening opening) {
   return O_RDONLY;
 }
 
-/// As much of a file's name as leaves room for what a draft's name has behind it.
+/// As much of a file's name as leaves room for the rest of a draft's name.
 std::string_view stem_of_draft(std::string_view name) {
   return name.substr(0, longest_name - 1 - draft_digits - draft_ending.size());
 }
@@ -50,7 +50,7 @@ fs::path draft_of(const fs::path& path) {
   return path.parent_path() / (name += draft_ending);
 }
 
-/// Something to write to that no renamed file can stand for: a pipe, or /dev/stdout wherever that leads.
+/// A target that cannot be replaced by renaming a file: a pipe, or /dev/stdout wherever it leads.
 bool is_device(const fs::path& path) {
   std::error_code unknown;
   const fs::file_type type = fs::status(path, unknown).type();
@@ -88,7 +88,7 @@ void OutputFile::write(std::string_view bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int reason = errno;
-      [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size_); // devices cannot
+      [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size_); // fails for devices
       throw_unwritable(called_, reason);
     }
     bytes.remove_prefix(static_cast<std::size_t>(written));

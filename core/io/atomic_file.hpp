@@ -1,4 +1,4 @@
-/// Files whose every write is checked, so that a full disk is an error and not a short file.
+/// Files with every write checked, so that a full disk is an error and not a truncated file.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,23 @@
 
 namespace riedel {
 
-/// A file being written. What cannot be written throws RunError with the path and the reason. A symbolic link is not
-/// followed: nothing is written elsewhere than the path says.
+/// A file being written. Failed writes throw RunError with the path and the reason. Symbolic links are not followed, so
+/// that nothing is written outside the given path.
 class OutputFile {
 public:
-  /// `emptied`: created, or emptied; `only_new`: fails where there is something; `device`: as it is, links followed.
+  /// `emptied`: created, or emptied; `only_new`: fails if something exists; `device`: opened as it is, following links.
   enum class Opening { emptied, only_new, device };
 
   explicit OutputFile(std::filesystem::path path); ///< created, or emptied
-  /// @param called the path that errors name
+  /// @param called the path shown in errors
   OutputFile(const std::filesystem::path& path, std::filesystem::path called, Opening opening = Opening::emptied);
-  ~OutputFile(); ///< closes without a word: call close() to know
+  ~OutputFile(); ///< closes without reporting errors: call close() to get them
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Handed to the system at once. What fits only in part is taken back, so that the file ends where it did.
+  /// Passed to the system at once. A partial write is undone, so that the file ends where it did.
   void write(std::string_view bytes);
-  void flush_to_disk(); ///< waits until the disk has it
+  void flush_to_disk(); ///< waits until the data is on the disk
   void close();
 
 private:
@@ -34,13 +34,12 @@ private:
   std::int64_t size_ = 0; ///< written so far
 };
 
-/// Writes beside the path under a name that nobody can foresee, and renames, so that a reader sees the old file or the
-/// new one, whole. When something fails the old file stays as it was. A link at the path is replaced, not followed; a
-/// device or a pipe is written to. @throws RunError
+/// Writes next to the path under an unpredictable name, then renames, so that a reader sees either the complete old
+/// file or the complete new one. If anything fails, the old file is unchanged. A link at the path is replaced, not
+/// followed; a device or a pipe is written to. @throws RunError
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// Is it a name that `write_atomically` gives to the draft of a file called `name`, left behind by a program that was
-/// killed meanwhile?
+/// Whether `write_atomically` gives such a name to the draft of a file called `name`, which a killed program may leave.
 bool is_draft_of(std::string_view draft, std::string_view name);
 
 } // namespace riedel

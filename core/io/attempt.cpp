@@ -21,9 +21,9 @@ namespace riedel {
 
 namespace {
 
-constexpr int returned = 86; ///< exit code of a copy that came to its end
+constexpr int returned = 86; ///< exit code of a copy that finished
 
-/// What is printed on the way: shown only if it ends early, since it is printed again in earnest.
+/// Collects what is printed: shown only if the work ends early, since it is printed again in the real run.
 class Printed {
 public:
   Printed() : file_(memfd_create("printed", MFD_CLOEXEC)) {}
@@ -38,7 +38,7 @@ public:
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) dup2(to, stream);
   }
   void show() const {
-    std::array<char, 4096> text; // the beginning will do
+    std::array<char, 4096> text; // the beginning is enough
     const ssize_t size = pread(file_, text.data(), text.size(), 0);
     if (size > 0) std::fwrite(text.data(), 1, static_cast<std::size_t>(size), stderr);
   }
@@ -48,16 +48,16 @@ private:
 };
 
 [[noreturn]] void work_and_leave(const std::function<void()>& work, const Printed& printed) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // or code that loops would outlive an interrupted program
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // otherwise an endless loop would outlive an interrupted program
   printed.collect();
   try {
     work();
-  } catch (...) { // told when it is done in earnest
+  } catch (...) { // reported in the real run
   }
   _exit(returned);
 }
 
-/// Status of a child when it has ended; nothing: it had to be ended.
+/// Status of a child that has ended; nothing if it had to be killed.
 std::optional<int> status_of(pid_t child, double seconds) {
   using namespace std::chrono;
   const auto end = steady_clock::now() + duration<double>(seconds);
@@ -65,7 +65,7 @@ std::optional<int> status_of(pid_t child, double seconds) {
   for (auto pause = 200us; steady_clock::now() < end; pause = std::min<microseconds>(2 * pause, 10ms)) {
     const pid_t answer = waitpid(child, &status, WNOHANG);
     if (answer == child) return status;
-    if (answer < 0 && errno != EINTR) return returned << 8; // somebody else took its status
+    if (answer < 0 && errno != EINTR) return returned << 8; // its status was collected elsewhere
     std::this_thread::sleep_for(pause);
   }
   kill(child, SIGKILL);
@@ -89,7 +89,7 @@ std::string early_end_of(const std::function<void()>& work, const std::string& w
   const double seconds = time_for_foreign_code();
   const Printed printed;
   const pid_t copy = fork();
-  if (copy < 0) return ""; // no copies to be had: it will be seen in earnest
+  if (copy < 0) return ""; // no copy can be made: the real run will show the problem
   if (copy == 0) work_and_leave(work, printed);
   const std::optional<int> status = status_of(copy, seconds);
   if (status && WIFEXITED(*status) && WEXITSTATUS(*status) == returned) return "";

@@ -1,6 +1,6 @@
-# Writes OUTPUT, a source file that says which commit the tree SOURCE stands at: its short hash, with "-dirty" behind it
-# where files differ from the commit, or "unknown" where SOURCE is not the top of a git checkout. An answer that has not
-# changed leaves the file alone. Usage: cmake -DSOURCE=... -DOUTPUT=... -P commit.cmake
+# Writes OUTPUT, a source file with the commit of the tree SOURCE: its short hash, followed by "-dirty" if files differ
+# from the commit, or "unknown" if SOURCE is not the top of a git checkout. The file is rewritten only if it changes.
+# Usage: cmake -DSOURCE=... -DOUTPUT=... -P commit.cmake
 cmake_minimum_required(VERSION 3.25)
 set(commit unknown)
 find_program(GIT git)
@@ -15,7 +15,7 @@ function(ask_git answer)
 endfunction()
 
 if(GIT)
-  ask_git(below rev-parse --show-prefix) # where SOURCE is a folder of somebody else's tree, that one's commit says nothing
+  ask_git(below rev-parse --show-prefix) # in a folder of another repository, its commit is irrelevant
   ask_git(hash rev-parse --short HEAD)
   if(hash AND NOT below)
     set(commit ${hash})

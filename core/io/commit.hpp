@@ -1,9 +1,9 @@
-/// Which commit the program was built from; core/io/commit.cmake finds out whenever something is built.
+/// The commit from which the program was built; determined by core/io/commit.cmake at every build.
 #pragma once
 
 namespace riedel {
 
-/// Short hash, with "-dirty" behind it where the tree differed from the commit; "unknown" outside of a git checkout.
+/// Short hash, followed by "-dirty" if the tree differed from the commit; "unknown" outside a git checkout.
 const char* commit();
 
 } // namespace riedel

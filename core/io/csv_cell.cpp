@@ -7,7 +7,7 @@ namespace riedel {
 namespace {
 
 bool is_number(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1); // which std::from_chars does not know
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1); // which std::from_chars does not accept
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error != std::errc::invalid_argument && end == text.data() + text.size();

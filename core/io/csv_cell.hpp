@@ -5,8 +5,8 @@
 
 namespace riedel {
 
-/// Quoted where commas, quotes or line breaks ask for it. A text that a spreadsheet would take for a formula, one that
-/// begins with = + - @ or a tab and is no number, has an apostrophe before it.
+/// Quoted if it contains commas, quotes or line breaks. A text that a spreadsheet would take for a formula (it begins
+/// with = + - @ or a tab and is not a number) is preceded by an apostrophe.
 std::string csv_cell(const std::string& text);
 
 } // namespace riedel

@@ -9,8 +9,8 @@ namespace riedel {
 
 namespace {
 
-constexpr std::size_t longest = 255; ///< of a name, in bytes
-constexpr std::size_t kept = 180;    ///< of a text that is too long
+constexpr std::size_t longest = 255; ///< of a name [bytes]
+constexpr std::size_t kept = 180;    ///< of a text that is too long [bytes]
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
@@ -23,7 +23,7 @@ std::string hash_of(const std::string& text) {
   return digits.data();
 }
 
-/// The first `size` bytes, less the beginning of a letter of which UTF-8 has more.
+/// The first `size` bytes, without an incomplete letter of UTF-8 at the end.
 std::string cut(const std::string& text, std::size_t size) {
   while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
   return text.substr(0, size);

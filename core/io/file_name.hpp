@@ -1,4 +1,4 @@
-/// Names of files and folders that come from somebody else's words.
+/// Names of files and folders made from external texts.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace riedel {
 
-/// The name of something that lies right in a folder: no path, not "." or "..", nothing hidden, no control characters,
-/// no backslash, and of a length that file systems take. What is read from a file and is to be a name must be one.
+/// Whether it is a valid name directly in a folder: no path, not "." or "..", nothing hidden, no control characters, no
+/// backslash, and no longer than file systems allow. Names read from a file must pass this test.
 bool is_file_name(std::string_view text);
 
-/// A name for a text, which it resembles: letters that some file system refuses become "_", and a long text is cut
-/// and ends with a number that stands for all of it.
+/// A file name that resembles a text: letters that some file systems refuse become "_", and a long text is cut and ends
+/// with a hash of the whole text.
 std::string file_name_for(const std::string& text);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// What a drawing or a file shows of one instant of a run: plain numbers that know nothing of the simulation.
+/// What a drawing or a file shows of one instant of a run: plain numbers, independent of the simulation.
 #pragma once
 
 #include <map>
@@ -7,23 +7,23 @@
 
 namespace riedel {
 
-/// One quantity of every point; the components of a point stand next to each other.
+/// One quantity at all points; the components of a point are adjacent.
 struct Field {
   std::string name;
   int components = 1;
-  std::string unit;           ///< "Pa", "-", ... shown by ParaView beside the name
-  std::vector<double> values; ///< components × points; not a number where a point has no such quantity
-  bool whole = false;         ///< numbers that count or name, written as integers
+  std::string unit;           ///< "Pa", "-", ... shown by ParaView next to the name
+  std::vector<double> values; ///< components × points; NaN if a point has no such quantity
+  bool whole = false;         ///< counts or ids, written as integers
 };
 
 struct Frame {
   int dimension = 2; ///< 2 or 3
   double time = 0;   ///< [s]
-  /// Of the frame as a whole, by name, such as u_over_h; files keep them beside the time.
+  /// Of the frame as a whole, by name, such as u_over_h; stored in files with the time.
   std::map<std::string, double> scalars = {};
   std::vector<double> position; ///< x, y, z of each point [m]; z = 0 in 2-D
   /// x, y, z of the 2^dimension corners of each point's domain [m]: counter-clockwise in 2-D, in the order of
-  /// VTK_HEXAHEDRON in 3-D. Empty when the points have no domains.
+  /// VTK_HEXAHEDRON in 3-D. Empty if the points have no domains.
   std::vector<double> corners;
   std::vector<Field> fields;
 
@@ -31,13 +31,13 @@ struct Frame {
   [[nodiscard]] int corners_per_point() const { return 1 << dimension; }
 
   [[nodiscard]] bool has(const std::string& name) const;
-  /// The field of that name; throws InputError that lists the names there are.
+  /// The field of that name; throws InputError that lists the available names.
   [[nodiscard]] const Field& field(const std::string& name) const;
 
-  /// The scalar of that name; throws InputError that lists the names there are.
+  /// The scalar of that name; throws InputError that lists the available names.
   [[nodiscard]] double scalar(const std::string& name) const;
 
-  /// Throws std::logic_error unless every array has the length that dimension and number of points ask for.
+  /// Throws std::logic_error unless every array has the length required by the dimension and the number of points.
   void check() const;
 };
 

@@ -1,4 +1,4 @@
-/// history.csv: a header, then a row per output, readable while the run goes on.
+/// history.csv: a header, then one row per output, readable during the run.
 #pragma once
 
 #include "core/io/atomic_file.hpp"
@@ -14,7 +14,7 @@ public:
   /// Creates the file with its header. @throws RunError with path and reason
   History(std::filesystem::path path, const std::vector<std::string>& columns);
 
-  /// One number per column; each is printed so that it reads back to the same bits. @throws RunError
+  /// One number per column, printed so that it reads back identically to the bit. @throws RunError
   void add(std::span<const double> row);
 
 private:

@@ -29,7 +29,7 @@ std::string read_input_file(const fs::path& path, std::uintmax_t maximum) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) refuse(path, error ? error.message() : std::strerror(ENOENT));
   if (fs::is_directory(status)) refuse(path, "is a folder, not a file");
-  if (!fs::is_regular_file(status)) refuse(path, "is no regular file, but a device, a pipe or the like");
+  if (!fs::is_regular_file(status)) refuse(path, "is not a regular file but a device, a pipe or similar");
   if (fs::file_size(path, error) > maximum && !error) refuse(path, too_large(maximum));
   errno = 0;
   std::ifstream file(path, std::ios::binary);

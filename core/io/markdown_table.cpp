@@ -10,7 +10,7 @@ namespace riedel {
 
 namespace {
 
-/// Columns that a terminal shows: a µ or × is one.
+/// Columns on a terminal: a µ or × takes one.
 std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }

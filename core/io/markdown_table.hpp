@@ -1,4 +1,4 @@
-/// Tables for a terminal that are Markdown as well.
+/// Tables for a terminal that are also Markdown.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace riedel {
 
 using TableRow = std::vector<std::string>;
 
-/// Columns as wide as their widest entry; the first `left` of them stand to the left, numbers to the right.
+/// Columns as wide as their widest entry; the first `left` of them are aligned left, numbers right.
 std::string markdown_table(const TableRow& head, const std::vector<TableRow>& rows, std::size_t left);
 
-/// 93.4 or 1093: three digits at least.
+/// 93.4 or 1093: at least three digits.
 std::string figure(double x);
 
 } // namespace riedel

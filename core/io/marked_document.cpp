@@ -18,10 +18,10 @@ std::string content(const std::filesystem::path& path) {
 }
 
 struct Span {
-  std::size_t begin, end; ///< its line break included
+  std::size_t begin, end; ///< including its line break
 };
 
-/// The first line from `start` on that is this and nothing else, whichever line breaks the file has.
+/// The first line from `start` on that consists of this text only, with any kind of line break.
 std::optional<Span> find_line(const std::string& text, const std::string& line, std::size_t start) {
   for (std::size_t at = text.find(line, start); at != std::string::npos; at = text.find(line, at + 1)) {
     std::size_t end = at + line.size();
@@ -37,7 +37,7 @@ std::optional<Span> find_line(const std::string& text, const std::string& line, 
 MarkedDocument::MarkedDocument(std::filesystem::path path, const std::string& mark) : path_(std::move(path)) {
   const std::string text = content(path_), opening = "<!-- " + mark + " -->", closing = "<!-- " + mark + " ends -->";
   std::error_code unknown;
-  if (auto there = std::filesystem::canonical(path_, unknown); !unknown) path_ = std::move(there); // links stay links
+  if (auto there = std::filesystem::canonical(path_, unknown); !unknown) path_ = std::move(there); // keeps links
   const auto first = find_line(text, opening, 0);
   const auto last = first ? find_line(text, closing, first->end) : std::nullopt;
   if (!last)

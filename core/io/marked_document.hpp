@@ -9,14 +9,14 @@ namespace riedel {
 /// A Markdown file with a line `<!-- MARK -->` and, further down, a line `<!-- MARK ends -->`.
 class MarkedDocument {
 public:
-  /// @param mark such as "riedel verify"   @throws InputError when the file cannot be read or lacks one of the lines
+  /// @param mark such as "riedel verify" @throws InputError if the file cannot be read or lacks one of the lines
   MarkedDocument(std::filesystem::path path, const std::string& mark);
-  /// Puts the text between the two lines, in place of what stood there. @throws RunError when it cannot be written
+  /// Replaces what is between the two lines by the text. @throws RunError if it cannot be written
   void write(const std::string& text) const;
 
 private:
   std::filesystem::path path_;
-  std::string before_, after_; ///< the file's text up to the first line and from the second one on, both included
+  std::string before_, after_; ///< the file's text up to the first line and from the second line on, inclusive
 };
 
 } // namespace riedel

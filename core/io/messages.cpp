@@ -13,7 +13,7 @@ namespace riedel {
 namespace {
 
 bool in_colour() {
-  const char* refused = std::getenv("NO_COLOR"); // any text but the empty one: https://no-color.org
+  const char* refused = std::getenv("NO_COLOR"); // any non-empty text: https://no-color.org
   return ::isatty(STDERR_FILENO) == 1 && (refused == nullptr || *refused == '\0');
 }
 
@@ -25,7 +25,7 @@ void print(std::string_view kind, std::string_view colour, std::string_view text
       std::cerr << "\033[" << colour << "m" << kind << ":\033[0m ";
     else
       std::cerr << kind << ": ";
-    std::cerr << readable(line) << '\n'; // what a file or a shell gave may hold signs that steer a terminal
+    std::cerr << readable(line) << '\n'; // input may contain control characters for a terminal
   }
 }
 

@@ -1,4 +1,4 @@
-/// Messages to people, on standard error; results go to standard output and to files.
+/// Messages to users, on standard error; results go to standard output and to files.
 #pragma once
 
 #include <string_view>

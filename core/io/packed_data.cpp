@@ -11,7 +11,7 @@
 
 namespace riedel {
 
-static_assert(std::endian::native == std::endian::little, "the headers of blocks are read as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "the headers of blocks are read in the byte order of memory");
 
 namespace {
 
@@ -23,22 +23,22 @@ int value_of(char letter) {
   if (letter >= '0' && letter <= '9') return letter - '0' + 52;
   if (letter == '+') return 62;
   if (letter == '/') return 63;
-  refuse("a letter that is none of base 64");
+  refuse("a character that is not base 64");
 }
 
-/// A length that goes on in further bytes while they are 255.
+/// A length that continues in further bytes while they are 255.
 std::size_t length_in(std::string_view block, std::size_t& at, unsigned nibble) {
   std::size_t length = nibble;
   for (unsigned next = nibble == 15 ? 255 : 0; next == 255; length += next) {
-    if (at == block.size()) refuse("a block that ends in a length");
+    if (at == block.size()) refuse("a block that ends within a length");
     next = static_cast<unsigned char>(block[at++]);
   }
   return length;
 }
 
-/// Repeats what lies `back` bytes before the end, which may reach into what it writes.
+/// Repeats the bytes from `back` before the end on; the source may overlap the output.
 void repeat(std::string& bytes, std::size_t back, std::size_t length) {
-  if (back == 0 || back > bytes.size()) refuse("a block that repeats what is not there");
+  if (back == 0 || back > bytes.size()) refuse("a block that repeats missing data");
   for (std::size_t from = bytes.size() - back; length > 0; --length) bytes += bytes[from++];
 }
 
@@ -50,9 +50,9 @@ std::uint32_t word_at(std::string_view bytes, std::size_t number) {
 
 constexpr std::size_t word = sizeof(std::uint32_t);
 
-/// What stands behind a length in one word, which it must have.
+/// What follows a length in one word, and must have that length.
 std::string after_length(std::string bytes, std::size_t size) {
-  if (bytes.size() != size + word || word_at(bytes, 0) != size) refuse("data of another size than stated");
+  if (bytes.size() != size + word || word_at(bytes, 0) != size) refuse("data whose size differs from that stated");
   return bytes.substr(word);
 }
 
@@ -80,17 +80,17 @@ constexpr std::array<Type, 5> types{{{"Float32", 4, as_doubles<float>},
 
 const Type& type_named(std::string_view name) {
   const auto found = std::ranges::find(types, name, &Type::name);
-  if (found == types.end()) throw InputError("the type '" + std::string(name) + "' of numbers");
+  if (found == types.end()) throw InputError("unknown number type '" + std::string(name) + "'");
   return *found;
 }
 
-/// Letters of base 64 for so many bytes, with what fills the last group.
+/// Number of base-64 letters for this many bytes, including the padding of the last group.
 std::size_t letters_for(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
 } // namespace
 
 std::string from_base64(std::string_view letters) {
-  if (letters.size() % 4 != 0) refuse("letters of base 64 that are not in groups of four");
+  if (letters.size() % 4 != 0) refuse("base-64 text that is not in groups of four");
   std::string bytes;
   bytes.reserve(letters.size() / 4 * 3);
   for (std::size_t i = 0; i < letters.size(); i += 4) {
@@ -98,7 +98,7 @@ std::string from_base64(std::string_view letters) {
     const std::size_t filled = std::min(group.find('='), group.size());
     if (filled < 2 || (filled < 4 && i + 4 < letters.size()) ||
         group.substr(filled) != std::string_view("==").substr(0, 4 - filled))
-      refuse("a group of base 64 that is not full");
+      refuse("an incomplete group of base 64");
     std::uint32_t bits = 0;
     for (std::size_t k = 0; k < 4; ++k)
       bits = bits << 6U | static_cast<std::uint32_t>(k < filled ? value_of(group[k]) : 0);
@@ -134,17 +134,17 @@ std::string from_zlib(std::string_view block, std::size_t size) {
   uLongf length = size;
   const int end = ::uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
                                reinterpret_cast<const Bytef*>(block.data()), block.size());
-  if (end != Z_OK || length != size) refuse("a block that holds something else");
+  if (end != Z_OK || length != size) refuse("a block with other contents than stated");
   return bytes;
 }
 
 std::string unpacked(std::string_view text, std::size_t size, Unpack unpack) {
   if (unpack == nullptr) return after_length(from_base64(text), size);
   if (text.size() < letters_for(word)) refuse("data without a header");
-  constexpr std::size_t fixed = 3; // blocks, bytes in each, bytes in the last if it is not full
+  constexpr std::size_t fixed = 3; // blocks, bytes in each, bytes in the last if incomplete
   const std::size_t blocks = word_at(from_base64(text.substr(0, letters_for(word))), 0);
   const std::size_t in_header = letters_for(word * (fixed + blocks));
-  if (text.size() < in_header) refuse("data with half a header");
+  if (text.size() < in_header) refuse("data with an incomplete header");
   const std::string header = from_base64(text.substr(0, in_header));
   const std::string data = from_base64(text.substr(in_header));
   const std::size_t full = word_at(header, 1), last = word_at(header, 2);
@@ -152,11 +152,11 @@ std::string unpacked(std::string_view text, std::size_t size, Unpack unpack) {
   std::size_t at = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t packed = word_at(header, fixed + b), wanted = b + 1 == blocks && last != 0 ? last : full;
-    if (packed > data.size() - at || wanted > size - bytes.size()) refuse("data of another size than stated");
+    if (packed > data.size() - at || wanted > size - bytes.size()) refuse("data whose size differs from that stated");
     bytes += unpack(std::string_view(data).substr(at, packed), wanted);
     at += packed;
   }
-  if (bytes.size() != size || at != data.size()) refuse("data of another size than stated");
+  if (bytes.size() != size || at != data.size()) refuse("data whose size differs from that stated");
   return bytes;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Library = boost::dll::shared_library;
 
-/// Now, so that a missing symbol is told here; its names to itself; for good.
+/// Bound now, so that a missing symbol is reported here; local symbols; never unloaded.
 const auto mode = boost::dll::load_mode::rtld_now | boost::dll::load_mode::rtld_local |
                   static_cast<boost::dll::load_mode::type>(RTLD_NODELETE);
 
@@ -37,17 +37,18 @@ std::string this_version() { return RIEDEL_VERSION; }
 
 std::string series(const std::string& version) { return version.substr(0, version.rfind('.')); }
 
-/// g++ tells its number alone.
+/// g++ gives only its version number.
 std::string compiler_named(const std::string& version) {
   return (version.find("lang") == std::string::npos ? "g++ " : "") + version;
 }
 
-/// The exported object, if both sides understand each other.
+/// The exported object, if both sides are compatible.
 const Plugin& checked(const Library& library, const std::filesystem::path& path) {
   const char* const symbol = "riedel_plugin";
-  if (!library.has(symbol)) refuse(path, "is no plug-in of Riedel: it exports no 'riedel_plugin' (see RIEDEL_PLUGIN)");
+  if (!library.has(symbol))
+    refuse(path, "is not a plug-in for Riedel: it exports no 'riedel_plugin' (see RIEDEL_PLUGIN)");
   const Plugin own, &plugin = library.get<const Plugin>(symbol);
-  if (plugin.magic != own.magic) refuse(path, "is no plug-in of Riedel: its 'riedel_plugin' is something else");
+  if (plugin.magic != own.magic) refuse(path, "is not a plug-in for Riedel: its 'riedel_plugin' is something else");
   const std::string mend = "; compile it against the headers of this program";
   if (plugin.abi != own.abi)
     refuse(path, "has the binary interface " + std::to_string(plugin.abi) + ", and this program has " +
@@ -61,12 +62,12 @@ const Plugin& checked(const Library& library, const std::filesystem::path& path)
   return plugin;
 }
 
-/// Makes objects as the plug-in does, once it is known that this does not crash.
+/// Makes objects as the plug-in does, after checking that this does not crash.
 template <class Object, class... Args>
 std::function<std::unique_ptr<Object>(Args...)> guarded(std::function<std::unique_ptr<Object>(Args...)> make,
                                                         std::string owner) {
   return [make = std::move(make), owner = std::move(owner)](Args... args) {
-    if constexpr ((std::is_lvalue_reference_v<Args> && ...)) { // others can be given once only
+    if constexpr ((std::is_lvalue_reference_v<Args> && ...)) { // other arguments can be passed only once
       const std::string crash = early_end_of([&] { make(args...); }, "while it is made");
       if (!crash.empty()) throw PluginError(owner + " " + crash);
     }

@@ -1,4 +1,4 @@
-/// From the path of a shared library to entries of the catalogue.
+/// Loads a shared library and adds its entries to the catalogue.
 #pragma once
 
 #include "core/interface/catalogue.hpp"
@@ -14,11 +14,11 @@ struct LoadedPlugin {
   std::vector<std::string> brings; ///< "material barodesy", "scheme softened", …
 };
 
-/// Loads a library, sees that it was made for this program, and lets it add what it brings. It stays loaded for the
-/// rest of the process, so that it outlives its objects. A first try is made in a process of its own, so that a library
-/// that crashes while it is loaded, or while it makes an object, does not take the program with it.
+/// Loads a library, checks that it was made for this program, and lets it add its entries. It stays loaded until the
+/// process ends, so that it outlives its objects. It is first tried in a separate process, so that a library that
+/// crashes while it is loaded or makes an object does not crash the program.
 /// @throws PluginError, with the path: missing; cannot be loaded (in the loader's words); not a plug-in; made for
-/// another version or with a compiler that lays out types otherwise; crashes; brings a name that is taken
+/// another version or with a compiler that lays out types differently; crashes; adds a name that is taken
 LoadedPlugin load_plugin(const std::filesystem::path& path, Catalogue& catalogue);
 
 } // namespace riedel

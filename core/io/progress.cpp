@@ -45,7 +45,7 @@ void Progress::update(double fraction, std::string_view note) {
     line += ", " + duration_text(elapsed * (1.0 - done) / done) + " left";
   if (!note.empty()) (line += ", ") += note;
   if (on_terminal_)
-    out_ << "\r\033[K" << line << std::flush; // back to the start, clear to the end
+    out_ << "\r\033[K" << line << std::flush; // return to the start of the line and clear it
   else
     out_ << line << std::endl;
   line_open_ = on_terminal_;

@@ -1,4 +1,4 @@
-/// How far a run is and how long it will take: one line that is rewritten on a terminal, else a line per 10 %.
+/// Progress of a run and the time left: one line that is rewritten on a terminal, otherwise one line per 10 %.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// @param fraction done, 0 to 1   @param note shown behind it, such as "φ = 41.2°"
+  /// @param fraction done, 0 to 1 @param note shown after it, such as "φ = 41.2°"
   void update(double fraction, std::string_view note = {});
 
 private:
@@ -29,7 +29,7 @@ private:
   std::ostream& out_;
   bool on_terminal_;
   bool line_open_ = false;
-  int tenths_ = -1; ///< last tenth that was told, when not on a terminal
+  int tenths_ = -1; ///< last tenth reported, if not on a terminal
   Clock::time_point start_ = Clock::now();
   Clock::time_point painted_{}; ///< when the line was last rewritten
 };

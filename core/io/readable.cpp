@@ -10,7 +10,7 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD
 
 bool is_control(char32_t c) { return (c < 0x20 && c != '\t') || (c >= 0x7f && c < 0xa0); }
 
-/// Bytes of a character by its first byte; 0: no character begins so.
+/// Number of bytes in a character, from its first byte; 0: no character begins with it.
 std::size_t length_after(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;
@@ -19,7 +19,7 @@ std::size_t length_after(unsigned char first) {
 }
 
 struct Character {
-  std::size_t length; ///< in bytes; 0 when it is no UTF-8
+  std::size_t length; ///< in bytes; 0 if it is not UTF-8
   char32_t code;
 };
 

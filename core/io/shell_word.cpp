@@ -39,7 +39,7 @@ std::string format_of(const std::string& text) {
 } // namespace
 
 std::string shell_word(const std::string& text) {
-  if (std::ranges::any_of(text, is_control) && !text.ends_with('\n')) // which the shell would take off again
+  if (std::ranges::any_of(text, is_control) && !text.ends_with('\n')) // which the shell would remove
     return "\"$(printf " + in_quotes(format_of(text)) + ")\"";
   return !text.empty() && std::ranges::all_of(text, is_plain) ? text : in_quotes(text);
 }

@@ -5,8 +5,8 @@
 
 namespace riedel {
 
-/// One word, whatever the text holds, and one line unless the text ends with a line break: as it is where that is safe,
-/// else in single quotes; with control characters as what printf makes of their numbers.
+/// One word for any text, and one line unless the text ends with a line break: unquoted if that is safe, otherwise in
+/// single quotes; control characters are produced by printf from their codes.
 std::string shell_word(const std::string& text);
 
 } // namespace riedel

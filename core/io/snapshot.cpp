@@ -10,11 +10,11 @@ namespace riedel {
 
 namespace {
 
-/// Adds fields of one body after the other, deformable or rigid, reading its points in the order of their ids.
+/// Adds the fields of one body after another, deformable or rigid, with its points in the order of their ids.
 template <int Dim>
 class FieldList {
 public:
-  /// @param before number of points of the bodies before this one
+  /// @param before number of points in the previous bodies
   FieldList(const Points<Dim>& points, const std::string& body, std::size_t before, std::vector<Field>& fields)
       : points_(points), body_(body), before_(before), fields_(fields) {}
 
@@ -28,7 +28,7 @@ public:
   void add(const std::string& name, const std::string& unit, const Columns& columns, int first = 0, int count = 1) {
     add(name, count, unit, [&](Index p, int c) { return columns[first + c][p]; });
   }
-  /// Fields that only other bodies have are no numbers in this one.
+  /// Fields that only other bodies have are NaN here.
   void fill_gaps() {
     for (Field& field : fields_) fill(field, before_ + points_.place.size());
   }
@@ -37,7 +37,7 @@ private:
   static void fill(Field& field, std::size_t points) {
     field.values.resize(points * static_cast<std::size_t>(field.components), std::numeric_limits<double>::quiet_NaN());
   }
-  /// Two laws may mean different things by one name; the later one's then bears its body's name, too.
+  /// Two laws may use one name with different meanings; the later one is then followed by its body's name.
   Field& field_of(const std::string& name, int components, const std::string& unit) {
     const auto known = std::ranges::find(fields_, name, &Field::name);
     if (known != fields_.end() && known->components == components && known->unit == unit) return *known;
@@ -60,7 +60,7 @@ double tensor_component(const Columns& mandel, int first, Index p, int c) {
   return c < 3 ? value : value * std::numbers::sqrt2 / 2;
 }
 
-/// The unit of the scalar that a body averages: ‖D‖, or one of its law's state variables.
+/// The unit of the scalar averaged in a body: ‖D‖, or one of its law's state variables.
 template <int Dim>
 std::string averaged_unit(const Body<Dim>& body) {
   int column = 0;
@@ -83,7 +83,7 @@ double von_mises(const Columns& stress, Index p) {
   return std::sqrt(1.5) * norm(deviator(sigma));
 }
 
-/// Component of a 3 × 3 tensor, row by row; out of the plane nothing deforms.
+/// Component of a 3 × 3 tensor, row by row; there is no deformation out of the plane.
 template <int Dim>
 double component_of(const Columns& tensor, Index p, int c) {
   const int i = c / 3, j = c % 3;
@@ -128,7 +128,7 @@ void add_numbers(const Points<Dim>& points, std::size_t before, std::size_t body
   list.add("body", 1, "-", [&](Index, int) { return static_cast<double>(body); }).whole = true;
 }
 
-/// @param start of the body's points, by id; null: not known
+/// @param start of the body's points, by id; null: unknown
 template <int Dim>
 void add_motion(const Points<Dim>& points, const std::vector<Vec<Dim>>* start, FieldList<Dim>& list) {
   list.add("velocity", 3, "m/s", [&](Index p, int c) { return c < Dim ? points.velocity[c][p] : 0.0; });

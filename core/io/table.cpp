@@ -12,7 +12,7 @@ namespace riedel {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // as spreadsheets put it in front
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // as written by spreadsheets
 constexpr std::size_t longest_shown = 80;                    ///< in messages [bytes]
 
 struct Cell {
@@ -35,7 +35,7 @@ std::vector<Cell> cells_of(const std::string& line) {
 }
 
 const char* hint(const std::string& text) {
-  return text.find(';') == std::string::npos ? "" : "; a comma parts two cells, and a point is in a number";
+  return text.find(';') == std::string::npos ? "" : "; use commas between cells and points in numbers";
 }
 
 double number_in(const Cell& cell, const std::string& place, const std::string& name) {

@@ -18,8 +18,8 @@ struct Table {
   }
 };
 
-/// Lines that are empty or begin with # are passed over. "nan" is a number.
-/// @throws InputError with file, line and column (counted from one) of what is no number, is missing or is too much
+/// Lines that are empty or begin with # are skipped. "nan" is a number.
+/// @throws InputError with file, line and column (counted from one) of a cell that is no number, missing or extra
 Table read_table(const std::filesystem::path& path);
 
 } // namespace riedel

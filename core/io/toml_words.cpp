@@ -17,14 +17,14 @@ constexpr std::size_t longest_shown = 40;
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Behind the quotes that end a text at `at`; three of them may have one or two of the text's own in front.
+/// Position after the quotes that end a text at `at`; three quotes may follow one or two that belong to the text.
 std::size_t end_of_fence(std::string_view text, std::size_t at, std::size_t wide) {
   std::size_t end = at + wide;
   for (int own = 0; wide == 3 && own < 2 && end < text.size() && text[end] == text[at]; ++own) ++end;
   return end;
 }
 
-/// Where the quoted text that begins the view ends, its quotes included.
+/// End of the quoted text at the start of the view, including its quotes.
 std::size_t end_of_quoted(std::string_view text) {
   const char quote = text.front();
   const std::string fence(3, quote);
@@ -38,7 +38,7 @@ std::size_t end_of_quoted(std::string_view text) {
   return text.size();
 }
 
-/// The text with a space for every quoted sign, and for every sign of a comment but # if comments are to go.
+/// Replaces every quoted sign by a space, and with `comments` every sign of a comment except #.
 std::string without(std::string_view text, bool comments) {
   std::string plain(text);
   const auto blank_out = [&](std::size_t begin, std::size_t end) {
@@ -47,7 +47,7 @@ std::string without(std::string_view text, bool comments) {
         [](char c) { return c != '\n'; }, ' ');
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool comment = text[i] == '#'; // a quote in it begins no text
+    const bool comment = text[i] == '#'; // a quote in a comment does not begin a text
     if (!comment && text[i] != '"' && text[i] != '\'') continue;
     const std::size_t end = comment ? std::min(text.find('\n', i), text.size()) : i + end_of_quoted(text.substr(i));
     if (!comment) blank_out(i, end);
@@ -57,7 +57,7 @@ std::string without(std::string_view text, bool comments) {
   return plain;
 }
 
-/// Behind the equals sign, or all of a line that goes on with a list; no comment.
+/// What follows the equals sign, or the whole line if it continues a list; without a comment.
 std::string_view value_in(std::string_view line) {
   const std::string plain = without_quoted(line);
   const std::size_t equals = plain.find('='), end = std::min(plain.find('#'), plain.size());
@@ -82,7 +82,7 @@ std::string in_small_letters(std::string_view text) {
   return small;
 }
 
-/// A number that goes on with a letter, behind a blank or not: "1.5 mm", but no date and no 1e400.
+/// A number followed by a letter, with or without a blank: "1.5 mm", but no date and no 1e400.
 bool is_quantity(std::string_view item) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), number);
@@ -115,14 +115,14 @@ std::string toml_hint(std::string_view line) {
   const bool list = value.find_first_of("[]") != std::string_view::npos;
   const std::vector<std::string_view> items = items_of(value);
   if (!list && items.size() > 1 && is_digit(items[0].back()) && is_digit(items[1].front()))
-    return "; a number has a point, not a comma, and a list stands in [brackets]";
+    return "; a number has a point, not a comma, and a list needs [brackets]";
   for (const std::string_view item : items) {
     const std::string small = in_small_letters(item);
     constexpr std::array<std::string_view, 4> words{"true", "false", "inf", "nan"};
     if (std::ranges::find(words, item) != words.end()) continue;
-    if (std::ranges::find(words, small) != words.end()) return "; it is written in small letters: " + small;
-    if (is_quantity(item)) return "; a number with a unit stands in quotes: \"" + readable(item, longest_shown) + "\"";
-    if (is_letter(item.front())) return "; a text stands in quotes: \"" + readable(item, longest_shown) + "\"";
+    if (std::ranges::find(words, small) != words.end()) return "; write it in lower case: " + small;
+    if (is_quantity(item)) return "; a number with a unit needs quotes: \"" + readable(item, longest_shown) + "\"";
+    if (is_letter(item.front())) return "; a text needs quotes: \"" + readable(item, longest_shown) + "\"";
   }
   return "";
 }

@@ -1,4 +1,4 @@
-/// What can be told of TOML without reading it.
+/// Properties of TOML texts that need no parser.
 #pragma once
 
 #include <string>
@@ -9,18 +9,17 @@ namespace riedel {
 /// A part of a dotted name that needs no quotes: letters, digits, underscores and hyphens.
 bool is_bare_word(std::string_view word);
 
-/// Without the blank space around it.
+/// Without surrounding blanks.
 std::string_view trimmed(std::string_view text);
 
-/// The text with a space in place of every sign that stands in quotes, and of the quotes: signs of TOML are left, at
-/// their places. What follows a quote that does not end counts as quoted, and quotes behind a # count for nothing.
+/// Replaces all quoted signs and the quotes by spaces: the signs of TOML remain at their positions. Everything after an
+/// unclosed quote counts as quoted, and quotes after a # are ignored.
 std::string without_quoted(std::string_view text);
 
-/// The same of a file: comments are as blank as texts, but for their #. Lines end where they did.
+/// The same for a file: comments are also blanked, except for their #. Line breaks are kept.
 std::string without_texts(std::string_view text);
 
-/// For a line that is no TOML: "; a text stands in quotes: \"word\"", or whatever it seems to lack. Empty when nothing
-/// comes to mind.
+/// For a line that is not TOML: "; a text needs quotes: \"word\"", or whatever else it seems to lack; otherwise empty.
 std::string toml_hint(std::string_view line);
 
 } // namespace riedel

@@ -16,8 +16,8 @@ namespace riedel {
 
 namespace {
 
-/// A unit is factor × 10^tens × m^a kg^b s^c rad^d. The power of ten is kept apart so that it can be added to the
-/// decimal exponent of the text, which loses no bit.
+/// A unit is factor × 10^tens × m^a kg^b s^c rad^d. The power of ten is separate so that it can be added to the decimal
+/// exponent of the text without losing a bit.
 struct Unit {
   std::array<int, 4> dimension{}; ///< exponents of m, kg, s, rad
   int tens = 0;
@@ -75,7 +75,7 @@ std::optional<Unit> find_base(std::string_view symbol) {
   return std::nullopt;
 }
 
-/// One factor: a symbol and, behind it, an exponent: "m3", "m^3", "s-1".
+/// One factor: a symbol followed by an exponent: "m3", "m^3", "s-1".
 bool multiply_factor(Unit& unit, std::string_view text, int sign) {
   std::size_t split = text.find_first_of("^-+0123456789", 1);
   const std::string_view symbol = text.substr(0, split);

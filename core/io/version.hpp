@@ -1,10 +1,10 @@
-/// Which Riedel this is, for files and for `--version`.
+/// The version of Riedel, for files and for `--version`.
 #pragma once
 
 #include <string>
 
 namespace riedel {
 
-std::string version(); ///< "riedel 0.2.0 (commit 63db63f)"; what commit() says stands in it
+std::string version(); ///< "riedel 0.2.0 (commit 63db63f)"; includes commit()
 
 } // namespace riedel

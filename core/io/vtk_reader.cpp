@@ -20,7 +20,7 @@ double real_in(const std::string& text) {
   double x = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (text.empty() || error != std::errc{} || end != text.data() + text.size() || !std::isfinite(x))
-    throw InputError("'" + text + "' where a number should stand");
+    throw InputError("'" + text + "' instead of a number");
   return x;
 }
 
@@ -29,16 +29,15 @@ std::size_t count_in(const XmlElement& element, const char* name, std::size_t ot
   if (text.empty()) return otherwise;
   std::uint32_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc{} || end != text.data() + text.size())
-    throw InputError("'" + text + "' where " + name + " should stand");
+  if (error != std::errc{} || end != text.data() + text.size()) throw InputError("'" + text + "' instead of " + name);
   return count;
 }
 
-/// The file of a frame: below the folder of the index, where frames are written.
+/// The file of a frame: in or below the folder of the index.
 std::filesystem::path file_in(const XmlElement& entry) {
   const std::filesystem::path file = entry.attribute("file");
   if (file.empty() || file.is_absolute() || std::ranges::find(file, std::filesystem::path("..")) != file.end())
-    throw InputError("'" + file.string() + "' is no file beside it");
+    throw InputError("'" + file.string() + "' is not a file below its folder");
   return file;
 }
 
@@ -47,21 +46,21 @@ Unpack unpack_of(const XmlElement& file) {
   const std::string compressor = file.attribute("compressor");
   if (file.name != "VTKFile" || file.attribute("header_type") != "UInt32" ||
       file.attribute("byte_order") != "LittleEndian")
-    throw InputError("it is not in the form in which frames are written");
+    throw InputError("it does not have the format of frames");
   if (compressor == "vtkZLibDataCompressor") return from_zlib;
-  if (compressor == "vtkLZ4DataCompressor") return from_lz4; // as earlier builds have it
+  if (compressor == "vtkLZ4DataCompressor") return from_lz4; // written by earlier builds
   if (compressor.empty()) return nullptr;
-  throw InputError("it is compressed by '" + compressor + "', and frames are by zlib or LZ4");
+  throw InputError("it is compressed by '" + compressor + "', but frames use zlib or LZ4");
 }
 
-/// The numbers of an array with so many rows.
+/// The numbers of an array with the given number of rows.
 std::vector<double> values_in(const XmlElement& array, std::size_t rows, std::size_t components, Unpack unpack) {
   const std::string type = array.attribute("type");
   const std::string_view text = trimmed(array.text);
   const std::size_t size = rows * components * size_of_type(type);
-  constexpr std::size_t max_for_a_letter = 1032; // zlib makes no more of a byte
+  constexpr std::size_t max_for_a_letter = 1032; // zlib's maximum
   if (array.attribute("format") != "binary" || size / max_for_a_letter > text.size())
-    throw InputError("the array '" + array.attribute("Name") + "' holds no such numbers");
+    throw InputError("the array '" + array.attribute("Name") + "' does not hold the expected numbers");
   return numbers_of(unpacked(text, size, unpack), type);
 }
 
@@ -107,10 +106,10 @@ Frame frame_of(const XmlElement& file, bool flat) {
       .dimension = flat ? 2 : 3, .scalars = scalars_in(data, unpack), .position = {}, .corners = {}, .fields = {}};
   if (const auto time = frame.scalars.extract("TimeValue")) frame.time = time.mapped();
   const auto corners_of_cell = static_cast<std::size_t>(frame.corners_per_point());
-  if (cells == 0 || corners != cells * corners_of_cell) throw InputError("it is no file of domains");
+  if (cells == 0 || corners != cells * corners_of_cell) throw InputError("it is not a file of domains");
   frame.corners = values_in(piece.child("Points").child("DataArray"), corners, 3, unpack);
   if (!std::ranges::all_of(frame.corners, [](double x) { return std::isfinite(x); }))
-    throw InputError("a corner is nowhere");
+    throw InputError("a corner's position is not finite");
   frame.position = middles(frame.corners, corners_of_cell);
   for (const XmlElement& array : piece.child("CellData").children)
     frame.fields.push_back(field_of(array, cells, unpack));
@@ -134,9 +133,8 @@ std::vector<FrameFile> frame_files(const std::filesystem::path& folder) {
 
 Frame read_frame(const std::filesystem::path& path) {
   const bool flat = path.extension() == ".vtp";
-  if (!flat && path.extension() != ".vtu")
-    throw InputError(path.string() + ": is no frame, which ends in .vtp or .vtu");
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is missing, or no file");
+  if (!flat && path.extension() != ".vtu") throw InputError(path.string() + ": is not a frame (.vtp or .vtu)");
+  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is missing or not a file");
   const std::string text = read_input_file(path, largest_frame);
   try {
     return frame_of(read_xml(text), flat);

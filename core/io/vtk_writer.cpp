@@ -40,7 +40,7 @@ vtkNew<vtkPoints> coordinates(const std::vector<double>& xyz) {
   return points;
 }
 
-/// Cells that share no corner: the first takes the first `corners` points, and so on.
+/// Cells that share no corner: the first uses the first `corners` points, and so on.
 vtkNew<vtkCellArray> separate_cells(std::size_t cells, int corners) {
   vtkNew<vtkIdTypeArray> corner;
   corner->SetNumberOfValues(static_cast<vtkIdType>(cells) * corners);
@@ -50,7 +50,7 @@ vtkNew<vtkCellArray> separate_cells(std::size_t cells, int corners) {
   return array;
 }
 
-/// Names that ParaView lists for the components of vectors, symmetric and full tensors; empty: it counts them.
+/// Names shown by ParaView for the components of vectors, symmetric and full tensors; empty: it numbers them.
 std::vector<std::string> component_names(int components) {
   switch (components) {
   case 3:
@@ -64,7 +64,7 @@ std::vector<std::string> component_names(int components) {
   }
 }
 
-/// The field as an array of floats or of integers.
+/// The field as an array of floats or integers.
 template <class Array>
 vtkNew<Array> array_of(const Field& field) {
   vtkNew<Array> array;
@@ -98,8 +98,8 @@ void add_number(vtkDataSet* data, const char* name, double value) {
   data->GetFieldData()->AddArray(array);
 }
 
-/// The file's bytes. Binary, not appended: ParaView 5.11 opens appended data as 0 points. Deflated by zlib, which every
-/// reader of the format knows, at its quickest: higher levels save a few per cent and take twice as long or more.
+/// The file's bytes. Binary, not appended: ParaView 5.11 opens appended data as 0 points. Compressed by zlib, which all
+/// readers of the format support, at its fastest: higher levels save a few per cent and take at least twice as long.
 template <class Writer>
 std::string encode(const Frame& frame, vtkDataSet* data) {
   add_number(data, "TimeValue", frame.time);
@@ -152,20 +152,20 @@ std::string digits_of(double value) {
 
 void make_directory(const std::filesystem::path& path) {
   std::error_code error;
-  if (std::filesystem::is_symlink(path, error)) // the frames would go, and old ones be left, elsewhere
+  if (std::filesystem::is_symlink(path, error)) // frames would be written, and old ones left, elsewhere
     throw InputError("cannot create the folder " + path.string() + ": is a symbolic link");
   std::filesystem::create_directories(path, error);
   if (error) throw InputError("cannot create the folder " + path.string() + ": " + error.message());
 }
 
-/// VTK does not survive a lack of memory, so that is found out before: its arrays, and texts that grow by doubling.
+/// VTK does not survive a lack of memory, so this is checked first: for its arrays, and texts that grow by doubling.
 /// @throws std::bad_alloc
 void require_room(const Frame& frame) {
   constexpr std::size_t spare = std::size_t{16}
-                                << 20U; // of its objects, compressor, and the threads it starts at first
+                                << 20U; // for its objects, compressor, and the threads that it starts first
   std::size_t numbers = frame.position.size() + 2 * frame.corners.size();
   for (const Field& field : frame.fields) numbers += field.values.size();
-  ::operator delete(::operator new(4 * sizeof(double) * numbers + spare)); // a direct call is never left out
+  ::operator delete(::operator new(4 * sizeof(double) * numbers + spare)); // a direct call is never optimised away
 }
 
 } // namespace
@@ -186,7 +186,7 @@ void SeriesWriter::write(const Frame& frame) {
   write_atomically(directory_ / points_file, encode_points(frame));
   if (with_domains) write_atomically(directory_ / domains_file, flat ? encode_quads(frame) : encode_hexahedra(frame));
 
-  // Only what stands on the disk is listed.
+  // Only files that are on the disk are listed.
   points_.push_back({frame.time, points_file});
   if (with_domains) domains_.push_back({frame.time, domains_file});
   write_index("points.pvd", points_);

@@ -8,13 +8,13 @@
 
 namespace riedel {
 
-/// Leaves in its directory
+/// Writes into its directory
 ///
 ///     points.pvd     points/points_000000.vtp ...      points with every field
 ///     domains.pvd    domains/domains_000000.vtp ...    domains (.vtu in 3-D) with the same fields as cell data
 ///
-/// Each file is compressed and appears whole; the two .pvd files list what has been written so far, so that the series
-/// can be opened while the run goes on.
+/// Each file is compressed and appears complete; the two .pvd files list what has been written so far, so that the
+/// series can be opened during the run.
 class SeriesWriter {
 public:
   /// Creates the directories; throws InputError if that is impossible.

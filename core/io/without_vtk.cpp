@@ -1,4 +1,4 @@
-/// What stands in for vtk_writer.cpp in a build without VTK.
+/// Replaces vtk_writer.cpp in a build without VTK.
 #include "core/base/error.hpp"
 #include "core/io/vtk_writer.hpp"
 #include "core/io/with_vtk.hpp"

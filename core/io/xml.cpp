@@ -20,7 +20,7 @@ public:
     skip_to_element();
     XmlElement root = element(0);
     skip_to_element();
-    if (at_ != text_.size()) fail("something behind the last element");
+    if (at_ != text_.size()) fail("text after the last element");
     return root;
   }
 
@@ -32,7 +32,7 @@ private:
     at_ += word.size();
   }
   void skip_blank() { at_ = std::min(text_.find_first_not_of(blank, at_), text_.size()); }
-  /// All that comes before `end`, which is passed over.
+  /// Everything before `end`, which is skipped.
   std::string_view up_to(std::string_view end) {
     const std::size_t found = text_.find(end, at_);
     if (found == std::string_view::npos) fail("no '" + std::string(end) + "'");
@@ -41,7 +41,7 @@ private:
     return before;
   }
 
-  /// Declarations and comments.
+  /// Skips a declaration or a comment.
   bool skip_aside() {
     if (next_is("<?"))
       up_to("?>");
@@ -75,7 +75,7 @@ private:
   }
 
   XmlElement element(int depth) {
-    if (depth == deepest) fail("elements in elements too deep");
+    if (depth == deepest) fail("elements nested too deeply");
     skip("<");
     XmlElement made{.name = name(), .attributes = {}, .text = {}, .children = {}};
     attributes(made);
@@ -97,7 +97,7 @@ private:
       at_ = std::min(text_.find('<', at_), text_.size());
     }
     skip("</");
-    if (name() != element.name) fail("the end of another element than '" + std::string(element.name) + "'");
+    if (name() != element.name) fail("the end tag does not match '" + std::string(element.name) + "'");
     skip_blank();
     skip(">");
   }

@@ -1,4 +1,4 @@
-/// XML as VTK writes it: elements, attributes and text. No document types, no entities but the five of XML.
+/// XML as written by VTK: elements, attributes and text. No document types, and only the five entities of XML.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace riedel {
 /// Views into the text that was read.
 struct XmlElement {
   std::string_view name;
-  std::vector<std::pair<std::string_view, std::string_view>> attributes; ///< as they stand, entities and all
+  std::vector<std::pair<std::string_view, std::string_view>> attributes; ///< as written, including entities
   std::string_view text;                                                 ///< up to the first child
   std::vector<XmlElement> children;
 
-  /// Empty when it is not there.
+  /// Empty if there is none.
   [[nodiscard]] std::string attribute(std::string_view name) const;
-  /// The first child of that name. @throws InputError when there is none
+  /// The first child of that name. @throws InputError if there is none
   [[nodiscard]] const XmlElement& child(std::string_view name) const;
 };
 

@@ -44,7 +44,7 @@ void try_to_write(const std::string& what, const std::function<void()>& write) {
   try {
     write();
   } catch (const std::exception& error) {
-    print_warning(what + " could not be written: " + reason_of(error) + "; the results are complete without");
+    print_warning(what + " could not be written: " + reason_of(error) + "; the other results are complete");
   }
 }
 

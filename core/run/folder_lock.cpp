@@ -20,7 +20,7 @@ namespace riedel {
 
 namespace {
 
-/// A process that was killed lets go of its locks a moment after it is seen no more.
+/// A killed process releases its locks shortly after it has disappeared.
 constexpr auto patience = std::chrono::milliseconds(500), between_tries = std::chrono::milliseconds(20);
 
 std::string host() {
@@ -37,7 +37,7 @@ std::string now() {
   return text.data();
 }
 
-/// From the lines "pid …", "host …", "since …", "command …" of the holder's file.
+/// Reads the lines "pid …", "host …", "since …", "command …" of the holder's file.
 std::string holder(const std::filesystem::path& file) {
   std::ifstream lines(file);
   std::string process = "another process", place, since, command;
@@ -68,7 +68,7 @@ FolderLock::FolderLock(std::filesystem::path folder, const std::string& command,
 
 FolderLock::~FolderLock() {
   if (descriptor_ < 0) return;
-  if (is_still_there()) ::unlink(file_.c_str()); // while it is held: nobody's but this one goes
+  if (is_still_there()) ::unlink(file_.c_str()); // while the lock is held, so that only its own file is removed
   ::close(descriptor_);
 }
 
@@ -77,17 +77,17 @@ FolderLock::FolderLock(FolderLock&& other) noexcept
       file_(std::move(other.file_)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
-/// False while another process holds the folder.
+/// False if another process holds the folder.
 bool FolderLock::take(Locker lock) {
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0666);
   if (descriptor_ < 0)
     throw InputError("--out " + folder_.string() + ": cannot be written to: " +
                      (errno == ELOOP ? std::string(file_name) + " is a symbolic link" : std::strerror(errno)));
   if (lock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
-    if (is_still_there()) return true; // else the former holder has just removed what was opened here
+    if (is_still_there()) return true; // otherwise the previous holder has just removed the opened file
   } else if (means_no_locks(errno)) {
-    print_warning(folder_.string() + ": the file system knows no locks (" + std::strerror(errno) +
-                  "): see to it that no other run writes there");
+    print_warning(folder_.string() + ": the file system does not support locks (" + std::strerror(errno) +
+                  "): make sure that no other run writes there");
     return true;
   }
   ::close(std::exchange(descriptor_, -1));
@@ -118,7 +118,7 @@ void FolderLock::tell(const std::string& command) const {
 
 void FolderLock::refuse() const {
   throw InputError("--out " + folder_.string() + ": " + refusal + " " + holder(file_) +
-                   "; wait for its end, or choose another folder");
+                   "; wait for it to end, or choose another folder");
 }
 
 } // namespace riedel

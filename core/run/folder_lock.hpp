@@ -1,4 +1,4 @@
-/// A folder that one process at a time writes to.
+/// A folder to which only one process at a time writes.
 #pragma once
 
 #include <filesystem>
@@ -6,15 +6,15 @@
 
 namespace riedel {
 
-/// Holds a folder by a lock on a file in it, which tells others who holds it. The system takes the lock away from a
-/// process that ends, however it ends.
+/// Holds a folder by a lock on a file in it, which shows others who holds it. The system releases the lock when the
+/// process ends in any way.
 class FolderLock {
 public:
   using Locker = int (*)(int, int); ///< as flock(2)
 
-  /// @param command told to those who are refused
-  /// @throws InputError that names the process that holds the folder, or why the folder cannot be written to. Where the
-  /// file system knows no locks there is a warning, and the folder is held in name only.
+  /// @param command shown to processes that are refused
+  /// @throws InputError that names the process that holds the folder, or why the folder cannot be written to. If the
+  /// file system does not support locks, there is a warning and the folder is not protected.
   FolderLock(std::filesystem::path folder, const std::string& command, Locker lock = ::flock);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
@@ -22,7 +22,7 @@ public:
   FolderLock& operator=(const FolderLock&) = delete;
 
   static constexpr const char* file_name = ".riedel.lock";
-  /// What every refusal of a held folder says.
+  /// Part of every refusal of a locked folder.
   static constexpr const char* refusal = "is being written to by";
 
 private:

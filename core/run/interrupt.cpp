@@ -7,9 +7,9 @@ namespace riedel {
 
 namespace {
 
-constexpr std::int64_t same_wish = 500'000'000; ///< signals closer than this are one [ns]
+constexpr std::int64_t same_wish = 500'000'000; ///< signals closer than this count as one [ns]
 
-std::atomic<int> received = 0; // a handler has no other way to tell
+std::atomic<int> received = 0; // a handler can use nothing else
 std::atomic<std::int64_t> received_at = 0;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
@@ -25,7 +25,7 @@ extern "C" void note_signal(int signal) {
     received = signal;
   } else if (now() - received_at > same_wish) {
     ::signal(signal, SIG_DFL);
-    ::raise(signal); // arrives when this handler returns
+    ::raise(signal); // delivered when this handler returns
   }
 }
 
@@ -35,7 +35,7 @@ Interrupt::Interrupt() {
   received = 0;
   struct sigaction action {};
   action.sa_handler = note_signal;
-  action.sa_flags = SA_RESTART;                                         // system calls go on
+  action.sa_flags = SA_RESTART;                                         // system calls are restarted
   for (const int signal : caught) ::sigaddset(&action.sa_mask, signal); // one at a time
   for (std::size_t i = 0; i < caught.size(); ++i) ::sigaction(caught[i], &action, &before_[i]);
 }

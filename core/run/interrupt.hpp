@@ -1,4 +1,4 @@
-/// Ctrl-C and `kill` as a question that a run asks between two steps.
+/// Ctrl-C and `kill` as a flag that a run checks between two steps.
 #pragma once
 
 #include <array>
@@ -7,16 +7,16 @@
 
 namespace riedel {
 
-/// Catches SIGINT and SIGTERM while it lives. A second signal ends the program at once, unless it comes within half a
-/// second of the first: `timeout` and other callers send each signal twice, to the program and to its group.
+/// Catches SIGINT and SIGTERM during its lifetime. A second signal ends the program at once, unless it comes within
+/// half a second of the first: `timeout` and other callers send each signal twice, to the program and to its group.
 class Interrupt {
 public:
   Interrupt();
-  ~Interrupt(); ///< what was in force before is again
+  ~Interrupt(); ///< restores the previous handlers
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  [[nodiscard]] int signal() const; ///< the signal that came, 0 while none has
+  [[nodiscard]] int signal() const; ///< the signal received, 0 if none
   [[nodiscard]] explicit operator bool() const { return signal() != 0; }
   [[nodiscard]] int exit_code() const { return 128 + signal(); } ///< 130 or 143
 

@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kilobyte = 1024.0, endless = 1e18; ///< no limit is told as a number beyond all memory
+constexpr double kilobyte = 1024.0, endless = 1e18; ///< the absence of a limit is given as a number above any memory
 
-/// The number behind a word at the start of a line, such as "MemAvailable:".
+/// The number after a word at the start of a line, such as "MemAvailable:".
 std::optional<double> entry(const fs::path& file, const std::string& word) {
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);) {
@@ -31,7 +31,7 @@ std::optional<double> entry(const fs::path& file, const std::string& word) {
   return std::nullopt;
 }
 
-/// A file that holds a number and nothing else; "max" is none.
+/// The number in a file; none for "max".
 std::optional<double> number_in(const fs::path& file) {
   std::ifstream stream(file);
   double number = 0.0;
@@ -39,14 +39,14 @@ std::optional<double> number_in(const fs::path& file) {
   return std::nullopt;
 }
 
-/// How the two versions of control groups call their files.
+/// File names in the two versions of control groups.
 struct Group {
   const char *limit, *use, *reclaimable;
 };
 constexpr Group version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
 constexpr Group version_2{"memory.max", "memory.current", "inactive_file"};
 
-/// Where the groups of this process are told of, with all above them.
+/// Folders of the control groups of this process and all their parents.
 std::vector<std::pair<fs::path, Group>> groups(const fs::path& root) {
   std::vector<std::pair<fs::path, Group>> all;
   const auto add = [&](const fs::path& mount, fs::path group, const Group& version) {

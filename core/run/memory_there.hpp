@@ -1,4 +1,4 @@
-/// The memory that this process can still have.
+/// The memory still available to this process.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@ struct MemoryThere {
   std::string by; ///< what sets this limit, such as "the machine has left"
 };
 
-/// The least of what the machine has left, what the control groups of this process leave it (containers, batch
-/// systems), and what its own limits do (ulimit -v, ulimit -d).
-/// @param root where proc and sys are found
+/// The minimum of the machine's available memory, that of the process's control groups (containers, batch systems), and
+/// that of its own limits (ulimit -v, ulimit -d).
+/// @param root where proc and sys are mounted
 MemoryThere memory_there(const std::filesystem::path& root = "/");
 
 /// "123 MB", "4.5 GB"

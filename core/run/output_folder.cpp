@@ -14,18 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What makes a folder one of results.
+/// Files that mark a folder as one with results.
 constexpr std::array markers{"case.toml", "history.csv", "element.csv", "verify.csv", "campaign.json", "summary.json"};
-/// All that biaxial, element and verify leave, but for case.toml and frames; numbers and texts first.
+/// All files written by biaxial, element and verify, except case.toml and frames; numbers and texts first.
 constexpr std::array results{
     "history.csv",       "element.csv",   "output.txt",     "summary.json",      "points.pvd",      "domains.pvd",
     "verify.md",         "verify.csv",    "history.png",    "history.svg",       "void_ratio.png",  "shear_strain.png",
     "mean_pressure.png", "rate_norm.png", "friction.png",   "stress_strain.png", "compression.png", "shear.png",
     "p_q.png",           "cost.png",      "convergence.png"};
-constexpr std::size_t numbers_and_texts = 8; ///< of `results`: a run is nothing without them
+constexpr std::size_t numbers_and_texts = 8; ///< of `results`: essential for a run
 constexpr std::array all_series{"points", "domains"};
 
-/// There itself, be it a link that leads nowhere.
+/// Whether the path itself exists, even as a broken link.
 bool is_there(const fs::path& path) { return fs::symlink_status(path).type() != fs::file_type::not_found; }
 bool is_own_folder(const fs::path& path) { return fs::symlink_status(path).type() == fs::file_type::directory; }
 
@@ -35,7 +35,7 @@ void refuse_folders_in_the_way(const fs::path& folder) {
       throw InputError("--out " + folder.string() + ": " + results[i] + " is a folder, where a run writes a file");
 }
 
-/// The frames of a time series and drafts of them, and no file of another name.
+/// The frames of a time series and their drafts, and no other files.
 void remove_frames(const fs::path& folder, const std::string& series) {
   if (!is_own_folder(folder / series)) return;
   const std::regex frame(series + "_[0-9]{6,}[.]vt[pu]([.][0-9a-f]{16})?([.]part)?");
@@ -43,7 +43,7 @@ void remove_frames(const fs::path& folder, const std::string& series) {
     if (std::regex_match(entry.path().filename().string(), frame)) remove_file(entry.path());
 }
 
-/// What a killed program was about to write.
+/// Drafts left by a killed program.
 void remove_drafts(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -75,7 +75,7 @@ fs::path made(const fs::path& folder) {
   return folder;
 }
 
-/// Removes an empty folder; another one stays.
+/// Removes the folder if it is empty.
 void remove_empty(const fs::path& folder) {
   std::error_code not_empty;
   if (is_own_folder(folder)) fs::remove(folder, not_empty);
@@ -93,7 +93,7 @@ void OutputFolder::refuse_results() const {
   for (const char* result : markers)
     if (is_there(folder_ / result))
       throw InputError("--out " + folder_.string() + ": holds results already (" + result +
-                       "); choose another folder, or --force to write over them");
+                       "); choose another folder, or --force to overwrite them");
 }
 
 void OutputFolder::replace() { remove_results(folder_); }

@@ -1,27 +1,27 @@
-/// The folder that a command writes its results to.
+/// The folder to which a command writes its results.
 #pragma once
 
 #include "core/run/folder_lock.hpp"
 
 namespace riedel {
 
-/// While it lives the folder is this process's own. It exists, can be written to, and holds no results of an earlier
-/// run, unless `force`: those stay until `replace`, to be called when the new run is known to begin.
+/// During its lifetime the folder belongs to this process. It exists, is writable, and holds no results of an earlier
+/// run, unless `force`: those stay until `replace`, to be called once the new run is certain to start.
 class OutputFolder {
 public:
-  /// @param command told to others who want the folder meanwhile
-  /// @throws InputError with the reason why the folder cannot be had; nothing in it has changed then
+  /// @param command shown to other processes that request the folder
+  /// @throws InputError with the reason why the folder cannot be used; nothing in it has changed then
   OutputFolder(std::filesystem::path folder, const std::string& command, bool force);
 
-  /// Removes earlier results, so that nobody takes the old ones for the new; other files, links' targets and case.toml
-  /// stay, which may be the very case that is being run. @throws RunError
+  /// Removes earlier results, so that they cannot be mistaken for the new ones; other files, links' targets and
+  /// case.toml (perhaps the case being run) stay. @throws RunError
   void replace();
 
-  /// @throws InputError when it holds results
+  /// @throws InputError if it holds results
   void refuse_results() const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
-  /// Does it hold nothing that an earlier run left? Then a word of failure covers nothing up.
+  /// Whether it holds nothing from an earlier run, so that recording a failure overwrites nothing.
   [[nodiscard]] bool is_fresh() const;
 
 private:
@@ -29,12 +29,12 @@ private:
   FolderLock lock_;
 };
 
-/// Removes what a run of that folder wrote, case.toml too, and the folder itself when it is empty then. What else there
-/// is stays; so does a folder that is a symbolic link, with all it holds.
-/// @throws InputError when another process writes there, RunError when something cannot be removed
+/// Removes what a run wrote to that folder, including case.toml, and the folder itself if it is then empty. Other files
+/// stay; so does a folder that is a symbolic link, with all its contents.
+/// @throws InputError if another process writes there, RunError if something cannot be removed
 void remove_run(const std::filesystem::path& folder, const std::string& command);
 
-/// @throws InputError when another process writes to the folder
+/// @throws InputError if another process writes to the folder
 void require_idle(const std::filesystem::path& folder, const std::string& command);
 
 /// Removes the file, or the link, of that name; a folder stays. @throws RunError

@@ -10,7 +10,7 @@
 
 namespace riedel {
 
-/// OpenMP ends the program when it gets too few: so many beside this one are tried, at the same time.
+/// OpenMP ends the program if it gets too few threads, so the required number is started here first, all at once.
 void require_threads(int threads) {
   std::latch all_tried(1);
   std::vector<std::jthread> started;

@@ -1,9 +1,9 @@
-/// Threads that the loops over points will run on.
+/// Threads for the loops over points.
 #pragma once
 
 namespace riedel {
 
-/// @throws RunError when the system does not give this process so many threads
+/// @throws RunError if the system does not give this process that many threads
 void require_threads(int threads);
 
 } // namespace riedel

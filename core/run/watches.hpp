@@ -1,4 +1,4 @@
-/// Whether a run stays quasi-static and its time step stable: looked at now and then, told in the summary.
+/// Checks whether a run stays quasi-static and its time step stable: sampled at intervals, reported in the summary.
 #pragma once
 
 #include "core/step/simulation.hpp"
@@ -7,19 +7,19 @@
 
 namespace riedel {
 
-/// The greatest kinetic over internal energy.
+/// The largest ratio of kinetic to internal energy.
 class KineticShare {
 public:
-  static constexpr double settled = 0.005; ///< strain before which the internal energy is too small to compare with
+  static constexpr double settled = 0.005; ///< strain below which the internal energy is too small for comparison
 
   void record(double strain, const Energies& now);
-  [[nodiscard]] double maximum() const { return maximum_; } ///< not a number before `settled` [-]
+  [[nodiscard]] double maximum() const { return maximum_; } ///< NaN before `settled` [-]
 
 private:
   double maximum_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The greatest time step over the stable one. Warns once when a fixed step exceeds it.
+/// The largest ratio of time step to stable time step. Warns once if a fixed step exceeds it.
 class TimeStepWatch {
 public:
   template <int Dim>
@@ -27,7 +27,7 @@ public:
     record(simulation.time_step(), simulation.crossing_time(), simulation.state().step);
   }
   [[nodiscard]] double maximum() const { return maximum_; } ///< [-]
-  /// "" or what to know before believing the numbers.
+  /// Empty, or a warning about the reliability of the results.
   [[nodiscard]] std::string doubt() const;
 
 private:

@@ -61,7 +61,7 @@ Body<Dim> make_body(std::string name, std::shared_ptr<const Material> law, const
   Body<Dim> body;
   fill<Dim>(body.points, lattice, declared, holds);
   if (body.points.size() == 0)
-    throw InputError("body '" + name + "': its shape holds no point of the grid, whose points are " +
+    throw InputError("body '" + name + "': its shape contains no point of the grid, whose points are " +
                      short_text(lattice.spacing.minCoeff()) + " m apart");
   body.name = std::move(name);
   body.material = std::move(law);

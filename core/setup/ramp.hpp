@@ -1,9 +1,9 @@
-/// How long a plate that starts smoothly takes.
+/// Travel time of a plate that starts smoothly.
 #pragma once
 
 namespace riedel {
 
-/// Until a plate, which rises to its speed [m/s] smoothly over `ramp` [s], has come so far [m]. @return [s]
+/// Time for a plate, whose speed [m/s] rises smoothly over `ramp` [s], to cover a distance [m]. @return [s]
 double time_to(double distance, double speed, double ramp);
 
 } // namespace riedel

@@ -10,14 +10,14 @@ namespace {
 
 constexpr int number_of_modes = 1000;
 
-/// Numbers that are the same wherever the program was built: the standard fixes the generator's bits, and leaves open
-/// what its distributions make of them.
+/// Random numbers that are the same on every platform: the standard defines the generator's bits, but not how its
+/// distributions use them.
 class Random {
 public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
   /// In (0, 1).
   double uniform() { return (static_cast<double>(bits_() >> 11U) + 0.5) * 0x1p-53; }
-  /// Two of the standard normal distribution (Box & Muller 1958).
+  /// Two standard normal numbers (Box & Muller 1958).
   Vec<2> normals() {
     const double radius = std::sqrt(-2.0 * std::log(uniform())), angle = 2.0 * std::numbers::pi * uniform();
     return {radius * std::cos(angle), radius * std::sin(angle)};

@@ -1,4 +1,4 @@
-/// A random field of void ratios, the same at a place whatever the grid and its points.
+/// A random field of void ratios that depends on position only, not on the grid and its points.
 #pragma once
 
 #include "core/base/types.hpp"
@@ -14,15 +14,15 @@ namespace riedel {
 /// method of Shinozuka & Deodatis 1991, with wave numbers drawn at random). It does not vary over the depth.
 class VoidRatioField {
 public:
-  /// @param deviation σ [-]   @param length λ, of correlation [m]   @param seed number of the field among all there are
+  /// @param deviation σ [-] @param length λ, of correlation [m] @param seed number that selects the field
   VoidRatioField(double deviation, double length, std::uint64_t seed);
 
   [[nodiscard]] bool is_uniform() const { return modes_.empty(); }
-  /// What the void ratio at a place has above the mean [-].
+  /// Deviation of the void ratio from the mean at a position [-].
   [[nodiscard]] double operator()(const Vec<2>& x) const;
-  /// The same at all (x_i, y_j), but for round-off, much faster. @return a row for each x, a column for each y
+  /// The same at all (x_i, y_j), up to round-off, much faster. @return a row for each x, a column for each y
   [[nodiscard]] Eigen::MatrixXd on_lattice(std::span<const double> x, std::span<const double> y) const;
-  /// What the field exceeds nowhere, up or down [-].
+  /// Upper bound of the field's absolute value [-].
   [[nodiscard]] double bound() const { return amplitude_ * static_cast<double>(modes_.size()); }
 
 private:

@@ -10,7 +10,7 @@ namespace riedel {
 
 namespace {
 
-/// The row of nodes there.
+/// Index of the row of nodes at that position.
 template <int Dim>
 Index row_at(const Grid<Dim>& grid, const std::string& wall, int axis, double place) {
   const double rows = (place - grid.origin[axis]) / grid.cell[axis], row = std::round(rows);
@@ -20,11 +20,11 @@ Index row_at(const Grid<Dim>& grid, const std::string& wall, int axis, double pl
     return exact_text(grid.origin[axis] + std::clamp(number, 0.0, last) * grid.cell[axis]) + " m";
   };
   throw InputError("wall '" + wall + "' at " + exact_text(place) + " m along axis " + std::to_string(axis) +
-                   " lies on no line of the grid; the lines beside it are at " + line(std::floor(rows)) + " and " +
+                   " is not on a grid line; the lines beside it are at " + line(std::floor(rows)) + " and " +
                    line(std::ceil(rows)));
 }
 
-/// The nodes of the box do not move along `axis`.
+/// Fixes the nodes of the box along `axis`.
 template <int Dim>
 Boundary<Dim> fixed(std::string name, const NodeBox<Dim>& nodes, int axis) {
   return prescribe<Dim>(

@@ -1,4 +1,4 @@
-/// Walls by their place, as conditions on nodes.
+/// Walls at given positions, as conditions on nodes.
 #pragma once
 
 #include "core/step/boundaries/prescribed_velocity.hpp"
@@ -6,23 +6,23 @@
 namespace riedel {
 
 /// The nodes on a wall and behind it.
-/// @param axis normal to the wall   @param place along it, on a line of the grid [m]
-/// @throws InputError, with the lines beside it, if no line of the grid is there
+/// @param axis normal to the wall @param place position along it, on a grid line [m]
+/// @throws InputError, with the nearest grid lines, if there is no grid line at that position
 template <int Dim>
 NodeBox<Dim> side(const Grid<Dim>& grid, const std::string& name, int axis, double place, Behind behind);
 
-/// A smooth wall: no node on it or behind it moves across. Arguments as for `side`.
+/// A smooth wall: nodes on it or behind it do not move along its normal. Arguments as for `side`.
 template <int Dim>
 Boundary<Dim> smooth_wall(const Grid<Dim>& grid, std::string name, int axis, double place, Behind behind);
 
-/// A rough wall: no node on it or behind it moves at all. One condition for each axis, called `name`_x, `name`_y, …
+/// A rough wall: nodes on it or behind it do not move at all. One condition per axis, called `name`_x, `name`_y, …
 template <int Dim>
 std::vector<Boundary<Dim>> rough_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place,
                                       Behind behind);
 
-/// A wall with Coulomb friction: no node on it or behind it moves into it, and the tangential force is limited by
-/// `coefficient` times the normal one. Material may leave it. Arguments as for `side`.
-/// @throws InputError, also for a coefficient below 0
+/// A wall with Coulomb friction: nodes on it or behind it do not move into it, and the tangential force is limited by
+/// `coefficient` times the normal force. Material may separate from it. Arguments as for `side`.
+/// @throws InputError, also for a negative coefficient
 template <int Dim>
 Boundary<Dim> friction_wall(const Grid<Dim>& grid, const std::string& name, int axis, double place, Behind behind,
                             double coefficient);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t max_columns = max_state_columns - 1; ///< of the law itself
 
-/// Some consecutive points of a batch, without the column that tells the zone.
+/// Consecutive points of a batch, without the column that marks the zone.
 class Part {
 public:
   Part(const MaterialBatch& whole, Index begin, Index end) : batch(whole) {
@@ -49,8 +49,8 @@ WeakZoneLaw::WeakZoneLaw(std::unique_ptr<Material> sound, std::unique_ptr<Materi
   const auto own = sound_->states();
   if (static_cast<std::size_t>(state_components(own)) > max_columns ||
       state_components(own) != state_components(weak_->states()))
-    throw InputError("a weak zone: the law must declare the same state variables in it, " +
-                     std::to_string(max_columns) + " at the most");
+    throw InputError("a weak zone: the law must declare the same state variables in it, at most " +
+                     std::to_string(max_columns));
   states_.assign(own.begin(), own.end());
   states_.push_back({std::string(zone), "-", "1 where the strength is that of the weak zone"});
 }
@@ -65,7 +65,7 @@ double WeakZoneLaw::density(std::span<const double> state) const {
   return at(state.back()).density(state.first(state.size() - 1));
 }
 
-/// Points that stand side by side and on the same side of the zone's edge, as one batch.
+/// Consecutive points that are all inside or all outside the zone, as one batch.
 template <class Visit>
 void WeakZoneLaw::for_each_run(const MaterialBatch& batch, const Visit& visit) const {
   const double* in_zone = batch.state.back();

@@ -1,4 +1,4 @@
-/// A law whose strength is lower, or higher, in some of the points.
+/// A law whose strength is lower, or higher, at some of the points.
 #pragma once
 
 #include "core/interface/material.hpp"
@@ -6,7 +6,7 @@
 namespace riedel {
 
 /// The same law twice, with the parameters of the specimen and with those of its weak zone. Its last state variable
-/// tells the points of the zone, whatever order they come in; everything else is the law's.
+/// marks the points of the zone, in any order; everything else is the law's.
 class WeakZoneLaw final : public Material {
 public:
   static constexpr std::string_view zone = "weak_zone"; ///< 1 in the zone, 0 elsewhere

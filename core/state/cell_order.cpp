@@ -9,7 +9,7 @@ namespace riedel {
 
 namespace {
 
-/// Number of the cell at x; a place off the grid counts to the nearest one.
+/// Number of the cell at x; positions off the grid belong to the nearest cell.
 template <int Dim>
 Index cell_at(const Grid<Dim>& grid, const Columns& position, Index p) {
   Index cell = 0;

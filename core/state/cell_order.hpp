@@ -1,5 +1,5 @@
-/// Points sorted by where they lie, so that neighbours in space are neighbours in memory, and cut into slabs of cell
-/// rows that two threads can work on without touching one node twice.
+/// Points sorted by position, so that neighbours in space are neighbours in memory, and divided into slabs of cell rows
+/// that two threads can process without touching the same node.
 #pragma once
 
 #include "core/state/grid.hpp"
@@ -7,29 +7,28 @@
 
 namespace riedel {
 
-/// Slab s holds the points begin[s] … begin[s + 1] − 1, which lie in `rows` rows of cells along the last axis when they
-/// are sorted. Those of even number touch no common node, nor do those of odd number, as long as each keeps to the rows
-/// of nodes that it may touch: each set is spread over threads and every node receives its sums in the same order
-/// whatever their number.
+/// Slab s contains the points begin[s] … begin[s + 1] − 1, which lie in `rows` rows of cells along the last axis when
+/// sorted. Slabs of even number share no node, nor do those of odd number, as long as each keeps to its `node_rows`:
+/// each set is distributed over threads, and every node receives its sums in the same order for any number of threads.
 struct Slabs {
   Index rows = 0; ///< even
   std::vector<Index> begin;
   [[nodiscard]] Index count() const { return static_cast<Index>(begin.size()) - 1; }
   [[nodiscard]] Range range(Index s) const { return {begin[s], begin[s + 1]}; }
-  /// Rows of nodes that the slab may touch: half a slab more on either side, up to where its sisters begin.
+  /// Rows of nodes that the slab may touch: half a slab more on either side, up to the next slab of the same parity.
   [[nodiscard]] Range node_rows(Index s) const { return {s * rows - rows / 2 + 1, (s + 1) * rows + rows / 2 + 1}; }
 };
 
-/// Working space of a sort, kept so that sorting again allocates nothing.
+/// Working space of a sort, kept so that repeated sorting allocates nothing.
 struct SortSpace {
   std::vector<Index> cell; ///< of each point
-  std::vector<Index> next; ///< where the next point of each cell goes
+  std::vector<Index> next; ///< position of the next point of each cell
   std::vector<Index> order, ids;
   AlignedVector<double> column;
   std::vector<Index> disorder; ///< per block
 };
 
-/// `space.cell` of points that stand where they are; a cell has the number of its lowest node.
+/// `space.cell` of points at their present positions; a cell has the number of its lowest node.
 template <int Dim>
 void find_cells(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& space);
 
@@ -37,7 +36,7 @@ void find_cells(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& spa
 template <int Dim>
 void sort_by_cell(const Grid<Dim>& grid, Index rows_per_slab, Points<Dim>& points, Slabs& slabs, SortSpace& space);
 
-/// Points that lie in a cell before that of the point before them.
+/// Number of points that lie in a cell before that of their predecessor.
 template <int Dim>
 Index out_of_order(const Grid<Dim>& grid, const Points<Dim>& points, SortSpace& space);
 

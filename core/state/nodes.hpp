@@ -1,4 +1,4 @@
-/// Fields on the nodes of the background grid. What one point's scatter or gather touches at a node is contiguous.
+/// Fields on the nodes of the background grid. What scatter or gather of one point touches at a node is contiguous.
 #pragma once
 
 #include "core/base/columns.hpp"
@@ -6,11 +6,11 @@
 
 namespace riedel {
 
-/// Room for a vector in a node's records: a number of doubles that processors load at once.
+/// Space for a vector in a node's records: a number of doubles that processors load at once.
 template <int Dim>
 using VectorLanes = ShortVector<Dim == 2 ? 2 : 4>;
 
-/// What the points add up at a node: one cache line.
+/// Sums over the points at a node: one cache line.
 template <int Dim>
 struct alignas(64) NodeSums {
   Vec<Dim> momentum = Vec<Dim>::Zero();          ///< (mv)_i
@@ -23,7 +23,7 @@ struct alignas(64) NodeSums {
 };
 static_assert(sizeof(NodeSums<2>) == 64 && sizeof(NodeSums<3>) == 64);
 
-/// What a node tells the points, in a record of four doubles (eight in three dimensions).
+/// What the points read from a node, in a record of four doubles (eight in three dimensions).
 template <int Dim>
 struct alignas(Dim == 2 ? 32 : 64) NodeMotion {
   Vec<Dim> velocity = Vec<Dim>::Zero(); ///< v_i [m/s]
@@ -34,12 +34,12 @@ struct alignas(Dim == 2 ? 32 : 64) NodeMotion {
 };
 static_assert(sizeof(NodeMotion<2>) == 32 && sizeof(NodeMotion<3>) == 64);
 
-/// What the points' fields leave on the nodes while they are smoothed, eight numbers at a node; empty without a filter.
+/// Nodal sums of the points' fields during smoothing, eight numbers per node; empty without a filter.
 struct SmoothingNodes {
   AlignedVector<ShortVector<8>> sum;   ///< Σ_p N_ip V_p a_p
   AlignedVector<ShortVector<8>> term;  ///< the last term of a series
   AlignedVector<ShortVector<8>> total; ///< the series so far
-  AlignedVector<double> per_volume;    ///< 1/Σ_p N_ip V_p, 0 where no point is near [1/m³ or 1/m²]
+  AlignedVector<double> per_volume;    ///< 1/Σ_p N_ip V_p, 0 if no point is near [1/m³ or 1/m²]
 
   void resize(Index count) {
     for (AlignedVector<ShortVector<8>>* rows : {&sum, &term, &total})
@@ -50,8 +50,8 @@ struct SmoothingNodes {
 
 /// Power of all forces on the nodes, Σ_i m_i a_i·v_i [W or W/m].
 struct NodePower {
-  double start = 0.0; ///< with the velocities that the strains before came from
-  double end = 0.0;   ///< with those that the strains after come from
+  double start = 0.0; ///< with the velocities from which the previous strains were computed
+  double end = 0.0;   ///< with those from which the next strains are computed
 };
 
 template <int Dim>

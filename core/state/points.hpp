@@ -16,27 +16,27 @@ struct Points {
   Columns mass{1};                         ///< m_p [kg or kg/m]
   Columns volume{1};                       ///< V_p [m³ or m²]
   Columns initial_volume{1};               ///< V_p at the start
-  Columns half_size{Dim};                  ///< half edges of the point's domain at the start, along the axes [m]
+  Columns half_size{Dim};                  ///< half edges of the point's initial domain, along the axes [m]
   Columns deformation_gradient{Dim * Dim}; ///< F_p [-]
   Columns velocity_gradient{Dim * Dim};    ///< L_p = ∂v/∂x [1/s]
   Columns stress{6};                       ///< Cauchy stress, tension positive, Mandel components [Pa]
-  Columns transfer_data{0};                ///< what the transfer of velocities keeps for each point
+  Columns transfer_data{0};                ///< data of the velocity transfer for each point
   Columns state{0};                        ///< the law's state variables, in the order it declares them
   Columns rate_norm{1};                    ///< ‖D‖ [1/s]
   Columns averaged{1};                     ///< non-local average of the scalar the law names
   Columns shear_strain{1};                 ///< ∫ √2 ‖dev D‖ dt, γ in simple shear [-]
   Columns work{1};                         ///< ∫ V_p σ:D dt, done on the point by its stress [J or J/m]
-  Columns expansion{0};                    ///< what the stress filter adds to tr L_p, none without it [1/s]
-  Columns scheme_data{0};                  ///< what the interpolation scheme keeps for each point
-  std::vector<Index> id;                   ///< number of the point at the start, kept when points are sorted
-  std::vector<Index> place;                ///< where the point of a given id stands now: id[place[i]] = i
+  Columns expansion{0};                    ///< the stress filter's addition to tr L_p, empty without it [1/s]
+  Columns scheme_data{0};                  ///< data of the interpolation scheme for each point
+  std::vector<Index> id;                   ///< initial number of the point, kept when points are sorted
+  std::vector<Index> place;                ///< present position of the point with a given id: id[place[i]] = i
 
   [[nodiscard]] Index size() const { return mass.size(); }
 
   /// @param states number of state columns that the body's law declares
   void resize(Index size, int states);
 
-  /// Every field but the numbering, for sorting and for checkpoints.
+  /// Every field except the numbering, for sorting and for checkpoints.
   [[nodiscard]] std::array<Columns*, 17> fields() {
     return {&position,
             &velocity,

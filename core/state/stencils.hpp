@@ -6,20 +6,20 @@
 
 namespace riedel {
 
-/// Nodes that are found from one base: rows of neighbours along the first axis.
+/// Nodes found from one base: rows of neighbours along the first axis.
 struct PatchShape {
   int rows, length;
   [[nodiscard]] constexpr int entries() const { return rows * length; }
   constexpr bool operator==(const PatchShape&) const = default;
 };
 
-/// The shapes that the transfers know; entry by entry, the last one, will always do.
+/// The shapes that the transfers support; the last one, entry by entry, always works.
 constexpr std::array<PatchShape, 5> patch_shapes{{{3, 3}, {2, 2}, {2, 4}, {4, 2}, {1, 1}}};
 constexpr int max_rows = 4;
 
-/// The entries of eight stencils, one stencil per lane: entry a of lane k stands at a·8 + k. Entries come in patches,
-/// all of one shape, whose rows lie in every lane at the same offsets from a base of that lane. A patch holds no node
-/// twice. Copied by value into loops, so that the compiler knows that nobody changes it meanwhile.
+/// The entries of eight stencils, one stencil per lane: entry a of lane k is at a·8 + k. Entries come in patches of one
+/// shape, whose rows have the same offsets from the lane's base in every lane. A patch contains no node twice. Copied
+/// by value into loops, so that the compiler knows that it does not change meanwhile.
 template <int Dim>
 struct StencilEntries {
   Index* base = nullptr;             ///< nodes, [patches][8]
@@ -50,12 +50,12 @@ struct StencilEntries {
 /// The stencils of eight consecutive points; a node may appear in more than one patch of a point.
 template <int Dim>
 struct StencilGroup : StencilEntries<Dim> {
-  std::array<Index, pack_size> lowest{}; ///< least and greatest index along the last axis of the nodes in each lane
+  std::array<Index, pack_size> lowest{}; ///< lowest and highest index of each lane's nodes along the last axis
   std::array<Index, pack_size> highest{};
   std::array<bool, pack_size> lost{}; ///< this lane's support leaves the grid; its weights are zero
 
-  /// Marks the lanes that are not in `inside` as lost and zeroes their weights, so that these may be used without a
-  /// look at the flags. Bases must be such that all nodes are on the grid.
+  /// Marks the lanes that are not in `inside` as lost and zeroes their weights, so that these may be used without
+  /// checking the flags. The bases must be such that all nodes are on the grid.
   void keep_lanes(const Mask& inside) {
     lost.fill(false);
     if (all(inside)) return;
@@ -72,7 +72,7 @@ struct StencilGroup : StencilEntries<Dim> {
 template <int Dim>
 class Stencils {
 public:
-  /// Room for the stencils of `points` points.
+  /// Allocates the stencils of `points` points.
   void resize(Index points, int max_nodes) {
     const std::size_t groups = static_cast<std::size_t>((points + pack_size - 1) / pack_size);
     const std::size_t entries = groups * static_cast<std::size_t>(max_nodes * pack_size);
@@ -88,11 +88,11 @@ public:
     }
   }
   [[nodiscard]] Index size() const { return static_cast<Index>(groups_.size()) * pack_size; } ///< points, rounded up
-  const Columns* node_data = nullptr; ///< what the scheme's pre-pass left on the nodes; null without one
+  const Columns* node_data = nullptr; ///< nodal results of the scheme's pre-pass; null without one
 
-  /// From now on the first group is that of `first`, a multiple of eight.
+  /// Sets the first group to that of `first`, a multiple of eight.
   void begin_at(Index first) { first_ = first / pack_size; }
-  /// The group that holds point p; p's lane in it is p mod 8.
+  /// The group of point p; p's lane in it is p mod 8.
   [[nodiscard]] StencilGroup<Dim>& group_of(Index p) {
     return groups_[static_cast<std::size_t>(p / pack_size - first_)];
   }
@@ -101,7 +101,7 @@ public:
   }
 
 private:
-  Index first_ = 0; ///< groups before the one that is kept first
+  Index first_ = 0; ///< number of groups before the first one stored
   std::vector<StencilGroup<Dim>> groups_;
   AlignedVector<Index> base_;
   AlignedVector<double> value_, gradient_;

@@ -1,4 +1,4 @@
-/// The motion of a few points over a step, as a law that follows it sees it.
+/// The motion of a block of points over a step, for a law that follows it.
 #pragma once
 
 #include "core/interface/material.hpp"
@@ -16,7 +16,7 @@ inline PackMatrix<2> matrix_of(const PlaneRotation& Q) {
 }
 inline const PackMatrix<3>& matrix_of(const SpaceRotation& Q) { return Q; }
 
-/// Up to `most` points at a time; lives on the stack. A motion in the plane leaves the third axis as it is.
+/// Up to `maximum` points at a time; lives on the stack. A motion in the plane leaves the third axis unchanged.
 template <int Dim, Index maximum>
 class BlockMotion {
 public:
@@ -34,7 +34,7 @@ public:
     }
   }
 
-  /// @param rotation_of from the first of eight points to their Q
+  /// @param rotation_of maps the first of eight points to their Q
   template <class Rotation>
   void follow(const Points<Dim>& points, Range range, double dt, const Rotation& rotation_of) {
     for (int i = 0; i < Dim; ++i)

@@ -1,15 +1,15 @@
-/// The conditions of a model, one after the other.
+/// The conditions of a model, one after another.
 #pragma once
 
 #include "core/step/model.hpp"
 
 namespace riedel {
 
-/// Has every condition find its nodes, and tells the grid its walls: of two on one side, the inner one.
+/// Lets every condition find its nodes, and sets the walls of the grid: of two on one side, the inner one.
 template <int Dim>
 void bind_boundaries(State<Dim>& state, const Model<Dim>& model);
 
-/// At the start of a step: nodes of conditions that move. Throws RunError.
+/// At the start of a step: updates the nodes of moving conditions. Throws RunError.
 template <int Dim>
 void follow_boundaries(const State<Dim>& state, const Model<Dim>& model);
 
@@ -17,16 +17,16 @@ void follow_boundaries(const State<Dim>& state, const Model<Dim>& model);
 template <int Dim>
 void remember_velocities(const State<Dim>& state, const Model<Dim>& model);
 
-/// Changes the momentum balance's velocities and accelerations, and adds up what it took.
+/// Changes velocities and accelerations after the momentum balance, and sums the work of the conditions.
 template <int Dim>
 void apply_boundaries(State<Dim>& state, const Model<Dim>& model, double dt);
 
-/// Sets velocities alone (after a remap, or before a USF stress update).
-/// @param time that they are those of [s]
+/// Sets velocities only (after a remap, or before a USF stress update).
+/// @param time to which they belong [s]
 template <int Dim>
 void apply_boundary_velocities(State<Dim>& state, const Model<Dim>& model, double time);
 
-/// At the end of a step, which is at `time`.
+/// At the end of a step, at `time`.
 template <int Dim>
 void move_boundaries(const Model<Dim>& model, double time, double dt);
 

@@ -1,4 +1,4 @@
-/// Strains of the points, and their part in the motion that is the same for all transfers of velocities.
+/// Strains of the points, and the part of their motion that is the same for all velocity transfers.
 #pragma once
 
 #include "core/step/model.hpp"
@@ -9,11 +9,11 @@ namespace riedel {
 template <int Dim>
 void update_kinematics(State<Dim>& state, const Model<Dim>& model, double dt);
 
-/// The same, then the move x_p += Δt Σ N_ip v_i that the transfer's remap of velocities has put off.
+/// The same, followed by the motion x_p += Δt Σ N_ip v_i that the transfer's velocity remap has postponed.
 template <int Dim>
 void deform_and_move(State<Dim>& state, const Model<Dim>& model, double dt);
 
-/// At the end of a step: what the scheme keeps for each point takes part in the motion.
+/// At the end of a step: moves what the scheme stores for each point.
 template <int Dim>
 void move_scheme_columns(State<Dim>& state, const Model<Dim>& model, double dt);
 

@@ -7,8 +7,7 @@
 
 namespace riedel {
 
-/// Calls `visit(body, stencil, p)` for every eight points of a body, p the first of them. Blocks are spread over
-/// threads.
+/// Calls `visit(body, stencil, p)` for every eight points of a body, p the first of them. Blocks run in parallel.
 template <int Dim, class Visit>
 void for_each_group(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Visit& visit) {
   for_each_block(body.points.size(), [&](Range whole) {
@@ -26,7 +25,7 @@ void for_each_group(State<Dim>& state, const Model<Dim>& model, const Visit& vis
   for (Body<Dim>& body : state.bodies) for_each_group(state, model, body, visit);
 }
 
-/// Calls `take(sum, body, p)` for every eight points of all bodies, with what they gather from the grid.
+/// Calls `take(sum, body, p)` for every eight points of all bodies, with the values gathered from the grid.
 template <Use use, int Dim, class Take>
 void for_each_gathered(State<Dim>& state, const Model<Dim>& model, const Take& take) {
   for_each_group(state, model, [&](Body<Dim>& body, const StencilGroup<Dim>& stencil, Index p) {

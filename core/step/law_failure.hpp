@@ -1,4 +1,4 @@
-/// What a run says when its law fails at a point.
+/// The error message of a run whose law fails at a point.
 #pragma once
 
 #include "core/step/state.hpp"
@@ -33,7 +33,7 @@ template <int Dim>
                  std::to_string(state.step) + ", time " + exact_text(state.time) + " s");
 }
 
-/// Runs `work`; what the law of a body throws there ends the run as its failure does, with body, step and time.
+/// Runs `work`; an exception from a body's law ends the run like a failure of the law, with body, step and time.
 template <int Dim, class Work>
 auto watched(const State<Dim>& state, const Body<Dim>& body, const Work& work) {
   const auto failure = [&](const std::string& why) {

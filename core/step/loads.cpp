@@ -9,7 +9,7 @@ namespace riedel {
 
 namespace {
 
-/// The outer face of one point: a segment, or a parallelogram.
+/// The outer face of a point: a segment, or a parallelogram.
 template <int Dim>
 struct Face {
   Vec<Dim> middle;                     ///< [m]
@@ -31,11 +31,11 @@ Face<Dim> outer_face(const Points<Dim>& points, Index p, const Vec<Dim>& initial
   return face;
 }
 
-/// Calls use(x, share) for places that integrate hats along an edge exactly: two Gauss points between each two lines of
-/// the grid that it crosses.
+/// Calls use(x, share) for positions that integrate hats along an edge exactly: two Gauss points between each two grid
+/// lines that it crosses.
 template <int Dim, class Use>
 void integrate_along(const Grid<Dim>& grid, const Vec<Dim>& middle, const Vec<Dim>& edge, const Use& use) {
-  constexpr double on_line = 1e-9; // in cells: a piece so short carries nothing
+  constexpr double on_line = 1e-9; // in cells: shorter pieces are ignored
   double from = -0.5;
   while (from < 0.5) {
     double to = 0.5;
@@ -72,7 +72,7 @@ void for_each_corner(const Face<Dim>& face, const Use& use) {
   }
 }
 
-/// Calls use(points, p, place, force) for the pieces of every loaded face.
+/// Calls use(points, p, place, force) for the parts of every loaded face.
 template <int Dim, class Use>
 void for_each_force(const State<Dim>& state, const Model<Dim>& model, const Use& use) {
   for (const SurfaceTraction<Dim>& load : model.surface_tractions) {

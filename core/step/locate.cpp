@@ -6,10 +6,10 @@ namespace riedel {
 
 namespace {
 
-constexpr std::int64_t steps_between_looks = 100; // points cross a small part of a cell in that time
-constexpr Index one_in = 20;                      // points out of order that are put up with
+constexpr std::int64_t steps_between_looks = 100; // in that time points cross a small part of a cell
+constexpr Index one_in = 20;                      // one point in this many may be out of order
 
-/// The first point whose support leaves the grid, if there is one.
+/// The first point whose support leaves the grid, if any.
 template <int Dim>
 std::optional<Index> first_lost(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body) {
   const Points<Dim>& points = body.points;
@@ -70,7 +70,7 @@ void prepare_points(State<Dim>& state, const Model<Dim>& model) {
       transfer_data = Columns(model.transfer->point_data_size());
       transfer_data.resize(body.points.size());
     }
-    // Thick enough for the support on both sides and for points to drift by two rows.
+    // Thick enough for the support on both sides and for a drift of points by two rows.
     sort_points(state, body, 6 + 2 * model.scheme->margin());
   }
 }
@@ -96,13 +96,12 @@ void check_inside(State<Dim>& state, const Model<Dim>& model) {
   for (Index& n : last) --n;
   for (Body<Dim>& body : state.bodies)
     if (const std::optional<Index> p = first_lost(state, model, body))
-      throw InputError("body '" + body.name + "': point " +
-                       std::to_string(body.points.id[static_cast<std::size_t>(*p)]) + " at " +
-                       coordinates(body.points.position_of(*p)) +
-                       ", or the support that its scheme gives it, lies outside the grid, which reaches from " +
-                       coordinates(state.grid.position({})) + " to " + coordinates(state.grid.position(last)) +
-                       "; allowed: places with " + std::to_string(model.scheme->margin()) +
-                       " rows of nodes beyond those of their cell");
+      throw InputError(
+          "body '" + body.name + "': point " + std::to_string(body.points.id[static_cast<std::size_t>(*p)]) + " at " +
+          coordinates(body.points.position_of(*p)) +
+          ", or its support in the scheme, lies outside the grid, which reaches from " +
+          coordinates(state.grid.position({})) + " to " + coordinates(state.grid.position(last)) +
+          "; allowed: positions with " + std::to_string(model.scheme->margin()) + " rows of nodes around their cell");
 }
 
 template <int Dim>

@@ -9,7 +9,7 @@ namespace {
 
 /// Σ V_p and Σ V_p tr L_p of each cell, slabs of even number first, then the odd ones: see core/state/cell_order.hpp.
 /// Weights that are positive and exact for linear fields touch rows of nodes on both sides of their point, so a point's
-/// cell belongs to its slab alone as its nodes do.
+/// cell, like its nodes, is used by its slab only.
 template <int Dim>
 void add_up(const Body<Dim>& body, std::vector<CellSum>& sums) {
   const Points<Dim>& points = body.points;
@@ -38,7 +38,7 @@ Pack mean_dilatation(const Body<Dim>& body, const std::vector<CellSum>& sums, In
   return Pack::load(mean.data());
 }
 
-/// The third axis of plane strain does not take part, or the law would see a strain across the plane: hence 1/Dim.
+/// The third axis of plane strain is left out, or the law would see a strain out of the plane: hence 1/Dim.
 template <int Dim>
 void dilate(Points<Dim>& points, Index p, const Pack& mean, const StressFilter& filter, double dt) {
   PackMatrix<Dim> L;
@@ -49,7 +49,7 @@ void dilate(Points<Dim>& points, Index p, const Pack& mean, const StressFilter& 
   }
   const Pack change = Pack(1.0 / Dim) * (mean - trace);
   for (int i = 0; i < Dim; ++i) L[i][i] += change;
-  add_expansion<Dim>(points, p, filter, L); // it tells the points of a cell apart
+  add_expansion<Dim>(points, p, filter, L); // differs between the points of a cell
   for (int i = 0; i < Dim; ++i) L[i][i].store(points.velocity_gradient[i * Dim + i] + p);
   strain(L, points, p, dt);
 }

@@ -1,4 +1,4 @@
-/// What does not change in a run.
+/// Everything that does not change in a run.
 #pragma once
 
 #include "core/interface/boundary_condition.hpp"
@@ -13,48 +13,48 @@ namespace riedel {
 template <int Dim>
 using StepFunction = void (*)(State<Dim>& state, const Model<Dim>& model, double dt);
 
-/// Whose spin turns stress and tensor state: W, or that of R in F = R U.
+/// The spin that rotates stress and tensor state: W, or that of R in F = R U.
 enum class ObjectiveRate { jaumann, green_naghdi };
 
-/// What keeps nearly incompressible material from locking: nothing, or the mean dilatation of a cell.
+/// The remedy for locking of nearly incompressible material: none, or the mean dilatation of a cell.
 enum class Locking { none, f_bar };
 
-/// Lets fade what points carry and nodes do not see: in stresses, and slowly in volumes. See
+/// Lets null-space modes of the points' stresses decay, and slowly those of their volumes. See
 /// docs/theory/stress_filter.md.
 struct StressFilter {
-  double stress_rate = 0.0; ///< λ, at which such stresses fade [1/s]
-  double volume_rate = 0.0; ///< λ_J, at which such parts of ln J fade [1/s]
-  int order = 12;           ///< m of (I − S)^m: the greater, the shorter the waves that fade
-  int volume_axes = 3;      ///< the first so many axes take part in what is added to tr L: two in a slab between walls
-  int steps_between = 20;   ///< k: filtered in every k-th step, as much as in k steps
+  double stress_rate = 0.0; ///< decay rate λ of such stresses [1/s]
+  double volume_rate = 0.0; ///< decay rate λ_J of such parts of ln J [1/s]
+  int order = 12;           ///< m of (I − S)^m: the larger, the shorter the waves that decay
+  int volume_axes = 3;      ///< number of axes that share what is added to tr L: two in a slab between walls
+  int steps_between = 20;   ///< k: filtered in every k-th step, with the effect of k steps
 
   [[nodiscard]] bool on() const { return stress_rate > 0.0 || volume_rate > 0.0; }
 };
 
 /// A grid that follows a platen: along `axis` its cells stretch so that node row `moving_row` stays on the platen,
-/// while `fixed_row` stays where it is.
+/// while `fixed_row` does not move.
 struct MovingGrid {
   int axis = 1;
   Index fixed_row = 0, moving_row = 0;
   std::string platen; ///< name of the condition whose speed it follows
 };
 
-/// A traction that points on a surface carry: on each outer face, wherever it has come and however it lies now.
+/// A traction on surface points: on each outer face, at its present position and orientation.
 template <int Dim>
 struct SurfaceTraction {
-  /// [Pa], on the present surface, from the place [m], the outward normal and the time [s]
+  /// [Pa], on the present surface, from the position [m], the outward normal and the time [s]
   std::function<Vec<Dim>(const Vec<Dim>& place, const Vec<Dim>& normal, double time)> value;
   std::size_t body = 0;
   std::vector<Vec<Dim>> initial_area; ///< outward, along an axis, by point id; zero off the surface [m² or m]
 };
 
-/// The same pressure everywhere, pressing when positive [Pa].
+/// A uniform pressure, compressive if positive [Pa].
 template <int Dim>
 auto uniform_pressure(double pressure) {
   return [pressure](const Vec<Dim>&, const Vec<Dim>& normal, double) -> Vec<Dim> { return -pressure * normal; };
 }
 
-/// A force by place and time on all points of a body, besides gravity.
+/// A force, as a function of position and time, on all points of a body, in addition to gravity.
 template <int Dim>
 struct BodyForce {
   std::size_t body = 0;
@@ -68,12 +68,12 @@ struct Model {
   StepFunction<Dim> step = nullptr;
   ObjectiveRate objective_rate = ObjectiveRate::jaumann;
   std::vector<Boundary<Dim>> conditions; ///< they act in this order
-  std::vector<MovingGrid> moving_grids;  ///< one for an axis at most
+  std::vector<MovingGrid> moving_grids;  ///< at most one per axis
   Vec<Dim> gravity = Vec<Dim>::Zero();   ///< [m/s²]
   double confining_pressure = 0.0;       ///< p of the virtual stress −p I that acts outside the bodies [Pa]
   std::vector<SurfaceTraction<Dim>> surface_tractions;
   std::vector<BodyForce<Dim>> body_forces;
-  std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: what is faster
+  std::optional<bool> keep_stencils; ///< of all points for a step, or block by block; empty: whichever is faster
   std::shared_ptr<const VelocityTransfer<Dim>> transfer = default_transfer<Dim>();
   Locking locking = Locking::none;
   StressFilter stress_filter;

@@ -1,4 +1,4 @@
-/// The orders of a step by their names.
+/// The orders of a step and their names.
 #pragma once
 
 #include "core/step/musl.hpp"

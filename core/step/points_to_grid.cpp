@@ -22,7 +22,7 @@ NodePower sum_over_nodes(State<Dim>& state, const Add& add) {
       });
 }
 
-/// Of a node that carries motion.
+/// Minimum mass of a node that carries motion.
 template <int Dim>
 double min_mass(const State<Dim>& state, const Model<Dim>& model) {
   return model.scheme->mass_cutoff() * state.bodies.front().points.mass[0][0];
@@ -45,7 +45,7 @@ void advance_momentum(State<Dim>& state, const Model<Dim>& model, double dt) {
   const PhaseClock::Lap lap(state.clock, Phase::grid);
   remember_velocities(state, model);
   const double minimum = min_mass(state, model);
-  const bool first = state.step == 0; // no strains before
+  const bool first = state.step == 0; // no previous strains
   state.node_power = sum_over_nodes(state, [&](Index i, NodePower& power) {
     const NodeSums<Dim>& sums = state.nodes.sums[i];
     NodeMotion<Dim>& motion = state.nodes.motion[i];

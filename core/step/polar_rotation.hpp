@@ -1,5 +1,5 @@
 /// Rotation of stress over a step with the R of the polar decomposition F = R U, whose spin Ω = Ṙ Rᵀ is that of the
-/// rate of A. E. Green & P. M. Naghdi (1965), Arch. Rational Mech. Anal. 18, 251–281. Numbers are those of
+/// rate of A. E. Green & P. M. Naghdi (1965), Arch. Rational Mech. Anal. 18, 251–281. Equation numbers are those of
 /// docs/theory/mpm_step.md.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace riedel {
 
-/// F at the start of a step, but for a positive factor: adj(I + Δt L) F.   @param F at its end
+/// F at the start of a step, up to a positive factor: adj(I + Δt L) F. @param F at its end
 template <std::size_t Dim>
 auto scaled_start(const std::array<std::array<Pack, Dim>, Dim>& F, std::array<std::array<Pack, Dim>, Dim> L,
                   double dt) {
@@ -26,11 +26,11 @@ inline PlaneRotation polar_rotation(const PackMatrix<2>& F, const PackMatrix<2>&
 }
 
 /// R of F = R U, det F > 0, by Newton's iteration X ← (X + X⁻ᵀ)/2: N. J. Higham (1986), SIAM J. Sci. Stat. Comput. 7,
-/// 1160–1174. It doubles its digits in each round, after as many rounds as the greatest stretch has powers of two. I
-/// where det F is not positive.
+/// 1160–1174. The number of correct digits doubles in each iteration, once as many iterations are done as the largest
+/// stretch has powers of two. Returns I if det F is not positive.
 inline PackMatrix<3> polar_factor(const PackMatrix<3>& F) {
   constexpr int max_rounds = 30;
-  constexpr double enough = 1e-18; // of a change squared: what is left is its square
+  constexpr double enough = 1e-18; // of a squared change: the remaining error is its square
   PackMatrix<3> X = F;
   Pack det = determinant(X);
   for (int i = 0; i < 3; ++i)

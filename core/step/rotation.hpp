@@ -1,5 +1,4 @@
-/// Rigid rotation of stress and of tensor state over a step, and the one that goes with the Jaumann rate,
-/// σ̇ = σ° + Wσ − σW.
+/// Rigid rotation of stress and of tensor state over a step, and the rotation for the Jaumann rate, σ̇ = σ° + Wσ − σW.
 #pragma once
 
 #include "core/base/pack_matrix.hpp"
@@ -7,20 +6,20 @@
 
 namespace riedel {
 
-/// Rotation over Δt by Cayley's transform of W Δt, an exact rotation that is second order in Δt:
+/// Rotation over Δt by the Cayley transform of W Δt, an exact rotation that is second order in Δt:
 /// Q = (I − W Δt/2)⁻¹ (I + W Δt/2), with W the skew part of L.
 Mat<3> rotation_of(const Mat<3>& L, double dt);
 
 /// Q a Qᵀ.
 Sym<double> rotated(const Sym<double>& a, const Mat<3>& Q);
 
-/// Of eight points in the plane.
+/// Q of eight points in the plane.
 struct PlaneRotation {
-  Pack cos_2, sin_2; ///< of twice the angle by which axis 2 turns towards axis 1
+  Pack cos_2, sin_2; ///< of twice the rotation angle from axis 2 towards axis 1
 };
 using SpaceRotation = PackMatrix<3>; ///< Q of eight points
 
-/// Cayley's transform for eight points in the plane. @param w W_12 = (L_12 − L_21)/2 [1/s]
+/// Cayley transform for eight points in the plane. @param w W_12 = (L_12 − L_21)/2 [1/s]
 inline PlaneRotation cayley(const Pack& w, double dt) {
   const Pack t = Pack(0.5 * dt) * w, scale = Pack(1.0) / (Pack(1.0) + t * t);
   const Pack c = (Pack(1.0) - t * t) * scale, s = Pack(2.0) * t * scale;

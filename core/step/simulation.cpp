@@ -13,7 +13,7 @@
 namespace riedel {
 
 namespace {
-constexpr std::int64_t steps_between_assessments = 10; // the wave speed changes by less than 1 % in that time
+constexpr std::int64_t steps_between_assessments = 10; // in that time the wave speed changes by less than 1 %
 
 /// max ‖v_p‖².
 double max_square(const Columns& v) {
@@ -36,7 +36,7 @@ void check_state_columns(const State<Dim>& state) {
     if (given != declared || declared > max_state_columns)
       throw InputError("body '" + body.name + "': its law declares " + std::to_string(declared) +
                        " state columns, its points have " + std::to_string(given) + "; they must agree, " +
-                       std::to_string(max_state_columns) + " at the most");
+                       std::to_string(max_state_columns) + " at most");
   }
 }
 
@@ -54,17 +54,18 @@ template <int Dim>
 void check_moving_grids(const Model<Dim>& model) {
   for (const MovingGrid& moving : model.moving_grids)
     if (std::ranges::none_of(model.conditions, [&](const auto& c) { return c->name() == moving.platen; }))
-      throw InputError("the grid is to follow '" + moving.platen + "'; no boundary condition is called so");
+      throw InputError("the grid is to follow '" + moving.platen + "', but no boundary condition has that name");
 }
 
-/// What the transfer asks of the scheme and of the order of the step.
+/// Checks the requirements of the transfer on the scheme and on the order of the step.
 template <int Dim>
 void check_transfer(const Model<Dim>& model) {
   if (model.transfer == nullptr)
-    throw InputError("the model has no transfer of velocities; leave the default, or take one of the catalogue");
+    throw InputError("the model has no transfer of velocities; keep the default, or take one from the catalogue");
   const TransferTraits traits = model.transfer->traits();
   if (traits.spread == TransferTraits::Spread::needed && !model.scheme->supports_affine())
-    throw InputError("the scheme does not go with the transfer: it puts a point on a line of nodes on that line alone");
+    throw InputError(
+        "the scheme does not go with the transfer: it gives a point on a line of nodes no weight beside that line");
   for (const StepOrder<Dim>& order : orders_of_step<Dim>)
     if (model.step == order.step && !traits.goes_with(order.name)) {
       std::string allowed;
@@ -75,7 +76,7 @@ void check_transfer(const Model<Dim>& model) {
     }
 }
 
-/// A point without mass, volume or extent would be divided by.
+/// Checks mass, volume and extent of points, by which the step divides.
 template <int Dim>
 void check_points(const State<Dim>& state) {
   if (state.bodies.empty()) throw InputError("a simulation needs a body");
@@ -96,7 +97,7 @@ void check_points(const State<Dim>& state) {
   }
 }
 
-/// Volumes that fade nearly as fast as stresses feed energy in.
+/// Volumes that decay nearly as fast as stresses add energy.
 void check_filter(const StressFilter& filter, bool gradients_follow_weights) {
   if (!filter.on()) return;
   if (!gradients_follow_weights)
@@ -157,7 +158,7 @@ void Simulation<Dim>::assess_bodies() {
   crossing_time_ = state_.grid.cell.minCoeff() / (wave + std::sqrt(fastest_squared));
   time_step_ = model_.fixed_time_step > 0.0 ? model_.fixed_time_step : model_.cfl * crossing_time_;
   if (!std::isfinite(time_step_))
-    throw RunError("the law gives no speed of waves, from which the time step would follow (step " +
+    throw RunError("the law gives no wave speed, from which the time step is computed (step " +
                    std::to_string(state_.step) + "); allowed: a stiffness that is finite and not zero, or time.step");
 }
 

@@ -1,4 +1,5 @@
-/// Sums of points on nodes, in one order for any number of threads and without locks: see core/state/cell_order.hpp.
+/// Sums over points at nodes, in the same order for any number of threads and without locks: see
+/// core/state/cell_order.hpp.
 #pragma once
 
 #include "core/base/parallel.hpp"
@@ -6,15 +7,15 @@
 
 namespace riedel {
 
-/// Eight points of a slab and their stencils; `lanes` are those of the eight that belong to the slab.
+/// Eight points and their stencils; `lanes` are those that belong to the slab.
 template <int Dim>
 struct SlabGroup {
   const StencilGroup<Dim>& stencil;
-  Index first; ///< number of the point in lane 0
+  Index first; ///< index of the point in lane 0
   Range lanes;
 };
 
-/// Whether every point of the group is on the grid and touches rows of nodes that its slab may touch.
+/// Whether every point of the group is on the grid and touches only rows of nodes that its slab may touch.
 template <int Dim>
 bool keeps_to(const SlabGroup<Dim>& group, Range rows) {
   bool answer = true;
@@ -24,8 +25,8 @@ bool keeps_to(const SlabGroup<Dim>& group, Range rows) {
   return answer;
 }
 
-/// Calls `add(group, space)` for all points of a body, slabs of even number first, then the odd ones; groups that stray
-/// from the rows of their slab are left out. `space` is working space that the groups of a slab share.
+/// Calls `add(group, space)` for all points of a body, slabs of even number first, then the odd ones; groups that leave
+/// the rows of their slab are skipped. `space` is working space shared by the groups of a slab.
 /// @return whether all points were added
 template <class Space, int Dim, class Add>
 bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Add& add) {
@@ -52,8 +53,8 @@ bool add_in_slab_order(State<Dim>& state, const Model<Dim>& model, Body<Dim>& bo
   return std::count(body.slab_strays.begin(), body.slab_strays.end(), 0) == body.slabs.count();
 }
 
-/// The first sums of a step, by `add_body(body)`, which tells whether all points were added: sorts those that stray and
-/// starts again.
+/// The first sums of a step, by `add_body(body)`, which returns whether all points were added: otherwise sorts the
+/// points again and restarts.
 template <int Dim, class AddBody>
 void sum_from_zero(State<Dim>& state, const Model<Dim>& model, const AddBody& add_body) {
   const PhaseClock::Lap lap(state.clock, Phase::p2g);

@@ -11,7 +11,7 @@ namespace riedel {
 
 namespace {
 
-constexpr int weight_at = 7; ///< lane of a row that holds 1, of whose sums the nodes' volumes are made
+constexpr int weight_at = 7; ///< lane of a row that holds 1, whose sums are the nodes' volumes
 using EightRows = std::array<ShortVector<8>, pack_size>;
 
 /// sum_i += N_ip row_p for the lanes of a patch. Lanes in a row that touch the same nodes are summed before anything is
@@ -66,7 +66,7 @@ void sum_up(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const F
   });
 }
 
-/// (1, x, y …) of a point, in cells from the middle of the grid.
+/// (1, x, y …) of a point, in cells from the centre of the grid.
 template <int Dim>
 Eigen::Matrix<double, Dim + 1, 1> coordinates(const Grid<Dim>& grid, const Points<Dim>& points, Index p) {
   Eigen::Matrix<double, Dim + 1, 1> x;
@@ -96,7 +96,7 @@ FieldMoments<Dim> moments(const Grid<Dim>& grid, const Body<Dim>& body, Range bl
   return sum;
 }
 
-/// The inverse, or where points lie on a line or a plane the pseudo-inverse.
+/// The inverse, or the pseudo-inverse if the points lie on a line or a plane.
 template <int Size>
 Eigen::Matrix<double, Size, Size> inverse(const Eigen::Matrix<double, Size, Size>& weights) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> solver(weights);
@@ -108,8 +108,8 @@ Eigen::Matrix<double, Size, Size> inverse(const Eigen::Matrix<double, Size, Size
 
 } // namespace
 
-/// (I − S)^m a = a − N u with u = Σ_k t_k, t_1 = M⁻¹ Nᵀ V a, t_{k+1} = (I − M⁻¹ Nᵀ V N) t_k, k up to m: all but the
-/// first and the last sweep work on numbers of the nodes.
+/// (I − S)^m a = a − N u with u = Σ_k t_k, t_1 = M⁻¹ Nᵀ V a, t_{k+1} = (I − M⁻¹ Nᵀ V N) t_k, k up to m: all passes
+/// except the first and the last work on nodal values.
 template <int Dim>
 void subtract_smooth(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, int m) {
   SmoothingNodes& nodes = state.nodes.smoothing;

@@ -5,7 +5,7 @@
 namespace riedel {
 
 namespace {
-constexpr std::int64_t little = 3 << 20; ///< up to here, keeping was measured to be the faster way [bytes]
+constexpr std::int64_t little = 3 << 20; ///< size up to which keeping was measured to be faster [bytes]
 
 template <int Dim>
 bool take_little_room(Index points, int max_nodes) {

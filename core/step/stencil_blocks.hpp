@@ -1,4 +1,4 @@
-/// The stencils of one body, handed out block by block.
+/// The stencils of one body, provided block by block.
 #pragma once
 
 #include "core/base/phase_clock.hpp"
@@ -8,27 +8,26 @@
 
 namespace riedel {
 
-/// Points whose stencils are evaluated at once and consumed while they are in the processor's nearest cache.
+/// Points whose stencils are evaluated at once and used while they are in the processor's nearest cache.
 constexpr Index stencil_block = 32;
 
-/// Either evaluates a block's stencils each time they are asked for, into a buffer of the thread that asks, or keeps
-/// those of all points for a step. Both give the same bits; which is faster, and by how much, stands in
-/// docs/benchmarks.md.
+/// Either evaluates a block's stencils on each request, into a buffer of the requesting thread, or keeps those of all
+/// points for a step. Both give results identical to the bit; docs/benchmarks.md compares their speed.
 template <int Dim>
 class StencilBlocks {
 public:
-  /// @param points to make room for   @param keep whether to keep all; empty: if they take little room
+  /// @param points to allocate for @param keep whether to keep all; empty: if they are small
   void resize(Index points, int max_nodes, std::optional<bool> keep);
   [[nodiscard]] bool keeps() const { return keeps_; }
 
-  /// At the start of a step: the scheme's pre-pass, room for each thread, and all stencils if they are kept.
+  /// At the start of a step: the scheme's pre-pass, buffers for each thread, and all stencils if they are kept.
   void begin_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                   PhaseClock& clock);
-  /// For work that asks for them many times: all stencils are kept until the next step begins.
+  /// For work that requests them many times: all stencils are kept until the next step begins.
   void keep_for_this_step(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                           PhaseClock& clock);
 
-  /// Of the points in `block`, at most `stencil_block`, the first number a multiple of eight.
+  /// Stencils of the points in `block`, at most `stencil_block`, whose first index is a multiple of eight.
   const Stencils<Dim>& of(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, const Points<Dim>& points,
                           Range block, PhaseClock& clock);
 
@@ -38,7 +37,7 @@ private:
   int max_nodes_ = 0;
   Columns node_data_{0}; ///< of the scheme's pre-pass
   Stencils<Dim> kept_;
-  std::vector<Stencils<Dim>> buffers_; ///< one for each thread
+  std::vector<Stencils<Dim>> buffers_; ///< one per thread
 };
 
 } // namespace riedel

@@ -6,7 +6,7 @@ namespace riedel {
 
 namespace {
 
-constexpr int components = 6, volume_at = 6; ///< lanes of the stress, and of ln J
+constexpr int components = 6, volume_at = 6; ///< number of stress lanes, and lane of ln J
 
 /// Stress components, and ln J.
 template <int Dim>
@@ -22,7 +22,7 @@ void fill_fields(Body<Dim>& body) {
   });
 }
 
-/// A point apart from its neighbours gets no stress from them.
+/// A stress-free point, out of contact with its neighbours, gets no stress from them.
 template <int Dim>
 bool carries_stress(const Points<Dim>& points, Index p) {
   for (int c = 0; c < components; ++c)
@@ -33,7 +33,7 @@ bool carries_stress(const Points<Dim>& points, Index p) {
 template <int Dim>
 void use_fields(Body<Dim>& body, const StressFilter& filter, double dt) {
   Points<Dim>& points = body.points;
-  const double span = filter.steps_between * dt; // exponentials, so that rates over one in a span do no harm
+  const double span = filter.steps_between * dt; // exponentials are safe for rates above one per span
   const double of_stress = -std::expm1(-filter.stress_rate * span), of_volume = -std::expm1(-filter.volume_rate * span);
   for_each_block(points.size(), [&](Range block) {
     for (Index p = block.begin; p < block.end; ++p) {
@@ -45,7 +45,7 @@ void use_fields(Body<Dim>& body, const StressFilter& filter, double dt) {
   });
 }
 
-/// Power of the added strains, Σ V σ:ΔD [W or W/m].
+/// Power of the added strain rates, Σ V σ:ΔD [W or W/m].
 template <int Dim>
 double added_power(const Points<Dim>& points, int axes, Range block) {
   double power = 0.0;

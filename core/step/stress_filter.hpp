@@ -1,5 +1,5 @@
-/// Stresses and volumes that the nodes do not see fade: the null space of MPM's stresses. The derivation, and why it is
-/// done this way, stands in docs/theory/stress_filter.md.
+/// Lets stresses and volumes in the null space of the grid decay. docs/theory/stress_filter.md gives the derivation and
+/// the reasons for this form.
 #pragma once
 
 #include "core/step/model.hpp"
@@ -7,8 +7,8 @@
 namespace riedel {
 
 /// With r = (I − Q)(I − S)^m (I − Q) a, where S smooths by the scheme's weights (core/step/smoothing.hpp) and Q gives
-/// the nearest linear field: σ_p ← σ_p − (1 − e^(−λ k Δt)) r_p of σ where the point carries stress, and from r of ln J
-/// what is added to tr L from this step to the next that filters. In every k-th step, once the points are on the grid.
+/// the nearest linear field: σ_p ← σ_p − (1 − e^(−λ k Δt)) r_p with r of σ if the point carries stress; r of ln J gives
+/// the addition to tr L until the next filtered step. In every k-th step, after the points are located.
 template <int Dim>
 void filter_stresses(State<Dim>& state, const Model<Dim>& model, double dt);
 

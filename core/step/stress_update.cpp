@@ -13,10 +13,10 @@ namespace riedel {
 
 namespace {
 
-constexpr Index law_block = 64; ///< points handed to a law at once: their columns stay in the nearest cache
+constexpr Index law_block = 64; ///< points passed to a law at once: their columns stay in the nearest cache
 static_assert(block_size % law_block == 0);
 
-/// W_32, W_13, W_21 of eight points, in the plane W_12 alone [1/s].
+/// W_32, W_13, W_21 of eight points, in the plane only W_12 [1/s].
 template <int Dim>
 auto spin_of(const Columns& L, Index p) {
   const auto w = [&](int i, int j) {
@@ -28,7 +28,7 @@ auto spin_of(const Columns& L, Index p) {
     return std::array<Pack, 3>{w(2, 1), w(0, 2), w(1, 0)};
 }
 
-/// Q of the step, of eight points.
+/// Q of the step for eight points.
 template <ObjectiveRate objective, int Dim>
 auto rotation_of_step(const Points<Dim>& points, Index p, double dt) {
   if constexpr (objective == ObjectiveRate::jaumann)
@@ -38,7 +38,7 @@ auto rotation_of_step(const Points<Dim>& points, Index p, double dt) {
                           load_matrix<Dim>(points.velocity_gradient, p), dt);
 }
 
-/// Mandel components that a motion in Dim dimensions touches: in the plane 11, 22 and 12.
+/// Mandel components affected by a motion in Dim dimensions: in the plane 11, 22 and 12.
 template <int Dim>
 constexpr auto components_of_motion = [] {
   if constexpr (Dim == 2)
@@ -47,7 +47,7 @@ constexpr auto components_of_motion = [] {
     return std::array{0, 1, 2, 3, 4, 5};
 }();
 
-/// A few points' columns as a law sees them; lives on the stack. Columns are padded to whole packs.
+/// Columns of a block of points as passed to a law; lives on the stack. Columns are padded to whole packs.
 template <int Dim>
 class LawBlock {
 public:
@@ -78,8 +78,8 @@ public:
   }
   void take_average(const double* averaged) { batch_.averaged = averaged ? averaged + range_.begin : nullptr; }
 
-  /// Rotates the stress and fills the rates of deformation. @return Σ V σ:D of the rotated stress [W or W/m], of
-  /// which half a step goes to the work of each point
+  /// Rotates the stress and computes the rates of deformation. @return Σ V σ:D of the rotated stress [W or W/m], half
+  /// of which over the step is added to the work of each point
   template <ObjectiveRate objective>
   double rotate_and_fill_rates() {
     const Columns& L = points_.velocity_gradient;
@@ -101,7 +101,7 @@ public:
       return add_to_work(p, density);
     });
   }
-  /// The same with the stress as it is now.
+  /// The same with the present stress.
   double power() {
     return sum_over_packs([&](Index p, Index i) {
       Pack density(0.0);
@@ -129,7 +129,7 @@ private:
     return power;
   }
 
-  /// Σ of `part(p, i)`, p the first of eight points and i its place in the block; padded points have no volume.
+  /// Σ of `part(p, i)`, p the first of eight points and i its position in the block; padded points have no volume.
   template <class Part>
   double sum_over_packs(const Part& part) const {
     Pack sum(0.0);
@@ -141,13 +141,13 @@ private:
 
   Points<Dim>& points_;
   Range range_;
-  std::array<std::array<double, law_block>, 6> D_{}; ///< components that no motion in the plane has stay zero
+  std::array<std::array<double, law_block>, 6> D_{}; ///< components absent in plane motion stay zero
   std::array<double*, max_state_columns> state_{};
   BlockMotion<Dim, law_block> motion_;
   MaterialBatch batch_;
 };
 
-/// The tensors among the law's state variables turn with the material, too.
+/// Rotates the tensors among the law's state variables with the material.
 template <ObjectiveRate objective, int Dim>
 void rotate_state(Body<Dim>& body, Range range, double dt) {
   int column = 0;
@@ -231,7 +231,7 @@ MaterialLimits assess(Body<Dim>& body, std::vector<MaterialLimits>& parts, doubl
         LawBlock<Dim> block(body.points, *body.material, time, step, 0.0);
         for (Index b = range.begin; b < range.end; b += law_block) {
           block.move_to({b, std::min(b + law_block, range.end)});
-          block.template follow_motion<ObjectiveRate::jaumann>(); // nothing turns
+          block.template follow_motion<ObjectiveRate::jaumann>(); // no rotation
           found.add(body.material->assess(block.batch()));
         }
         return found;

@@ -6,7 +6,7 @@ namespace riedel {
 
 void check_sizes_in_a_step(std::uint32_t of_plugin) {
   if (of_plugin != sizes_in_a_step())
-    throw std::runtime_error("its transfer lays out the state of a step differently; compile it against the headers of "
+    throw std::runtime_error("its transfer has a different layout of a step's state; compile it against the headers of "
                              "this program, with its compiler and options");
 }
 

@@ -1,4 +1,4 @@
-/// For plug-ins that bring a transfer of velocities: RIEDEL_PLUGIN(riedel::transfer<MyTransfer>).
+/// For plug-ins that provide a velocity transfer: RIEDEL_PLUGIN(riedel::transfer<MyTransfer>).
 #pragma once
 
 #include "core/interface/plugin.hpp"
@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// Mixed from the sizes of what a pass over the points works on, which both sides must lay out alike.
+/// A hash of the sizes of the types used in a pass over the points, which must have the same layout on both sides.
 constexpr std::uint32_t sizes_in_a_step() {
   std::uint32_t mixed = 0;
   for (const std::size_t size : {sizeof(State<2>), sizeof(State<3>), sizeof(Model<2>), sizeof(Model<3>),
@@ -15,7 +15,7 @@ constexpr std::uint32_t sizes_in_a_step() {
   return mixed;
 }
 
-/// Throws std::runtime_error when the library mixes another number.
+/// Throws std::runtime_error if the library's hash differs.
 void check_sizes_in_a_step(std::uint32_t of_plugin);
 
 /// In two and three dimensions.

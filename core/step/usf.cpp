@@ -14,15 +14,15 @@ namespace riedel {
 template <int Dim>
 void usf_step(State<Dim>& state, const Model<Dim>& model, double dt) {
   const VelocityTransfer<Dim>& transfer = *model.transfer;
-  keep_stencils(state, model);                  // domains deform on the way, weights must not
+  keep_stencils(state, model);                  // domains deform within the step, weights must not
   transfer.map_mass_and_momentum(state, model); // m_i, (mv)_i
   divide_momentum(state, model);                // v_i = (mv)_i/m_i
-  find_cells(state, model);                     // F-bar alone
-  filter_stresses(state, model, dt);            // now and then, if asked for: σ_p and ln J_p without what no node sees
+  find_cells(state, model);                     // F-bar only
+  filter_stresses(state, model, dt);            // every k-th step, if on: damps null-space parts of σ_p and ln J_p
   apply_boundary_velocities(state, model, state.time);
-  const double power_before = state.node_power.end; // of the last forces with the velocities of these strains
+  const double power_before = state.node_power.end; // of the previous forces with the velocities of these strains
   update_kinematics(state, model, dt);              // L_p = Σ_i v_i ⊗ ∇N_ip, F_p, V_p
-  average_dilatation(state, model, dt);             // F-bar alone: tr L_p of all points of a cell alike, then F_p, V_p
+  average_dilatation(state, model, dt);             // F-bar only: equal tr L_p in a cell, then F_p, V_p
   update_stress(state, model, dt);                  // d*, rotation, law
   map_forces(state, model);                         // f_i = −Σ_p V_p (σ_p + p I) ∇N_ip
   add_loads(state, model);                          // f_i of surface tractions and body forces

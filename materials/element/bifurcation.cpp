@@ -10,9 +10,10 @@ namespace riedel {
 
 namespace {
 
-constexpr double increment = 1e-5; ///< of the logarithmic vertical strain; Heun's error is far below what is told
+constexpr double increment =
+    1e-5; ///< of the logarithmic vertical strain; Heun's error is far below the digits reported
 constexpr int steps_between_looks = 10;
-constexpr double first_angle = 40.0, last_angle = 75.0, angle_step = 0.25; ///< of bands tried [deg]
+constexpr double first_angle = 40.0, last_angle = 75.0, angle_step = 0.25; ///< of the bands tested [deg]
 
 struct State {
   Sym<double> stress;
@@ -31,15 +32,15 @@ public:
   [[nodiscard]] Rate<double, 1> rate(const State& at, const Sym<double>& D) const {
     return law_.rate(at.stress, {at.void_ratio}, D, norm(D));
   }
-  /// From here on it is drawn out, and unloads.
+  /// From this call on, the specimen is extended and unloads.
   void turn_back() {
     d_yy_ = 1.0;
     d_xx_ = -0.3;
   }
-  /// The rate of deformation that leaves σ_xx as it is, with D_yy = −1, or 1 on the way back.
+  /// The rate of deformation that keeps σ_xx constant, with D_yy = −1, or 1 during unloading.
   [[nodiscard]] Sym<double> direction(const State& at) const {
     double a = d_xx_, b = a + 1e-3, f_a = rate(at, plane_rate(a, d_yy_)).stress.m[0];
-    for (int i = 0; i < 50 && std::abs(b - a) > 1e-13; ++i) { // secants
+    for (int i = 0; i < 50 && std::abs(b - a) > 1e-13; ++i) { // secant method
       const double f_b = rate(at, plane_rate(b, d_yy_)).stress.m[0];
       if (f_b == f_a) break;
       const double next = b - f_b * (b - a) / (f_b - f_a);
@@ -79,14 +80,14 @@ Plane plane_of(const Sym<double>& a) {
   return m;
 }
 
-/// What decides on a band with the normal n: amounts that reach 1 when it becomes possible.
+/// Criteria for a band with the normal n: each reaches 1 when the band becomes possible.
 struct Closeness {
   double linear, nonlinear;
 };
 
 /// A jump g⊗n of the velocity gradient changes the traction rate by [L:D + Wσ − σW]·n + (d1 − d0) N·n, which must
-/// vanish: g = (d1 − d0) r. With R the symmetric part of r⊗n, a jump of some size exists from ‖R‖ = 1 on; an
-/// infinitesimal one, as in the linear solid, from R:D = ‖D‖ on.
+/// vanish: g = (d1 − d0) r. With R the symmetric part of r⊗n, a finite jump exists once ‖R‖ ≥ 1; an infinitesimal one,
+/// as in the linear solid, once R:D ≥ ‖D‖.
 Closeness closeness(const Compression& test, const Sym<double>& D, const Vec<2>& n) {
   const Plane stress = plane_of(test.state().stress);
   const auto odd_part = [&](const Sym<double>& of) { // L:D
@@ -108,7 +109,7 @@ Closeness closeness(const Compression& test, const Sym<double>& D, const Vec<2>&
   return {.linear = (R.array() * plane_of(unit).array()).sum(), .nonlinear = R.norm()};
 }
 
-/// Looks whether a criterion has come to 1 at any inclination since it was asked last.
+/// Checks whether a criterion has reached 1 at any inclination since the last call.
 class Watch {
 public:
   explicit Watch(double Closeness::*criterion) : criterion_(criterion) {}

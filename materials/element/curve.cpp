@@ -8,7 +8,7 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-/// asin((a − b)/(a + b)), 0 where there is no compression [deg]
+/// asin((a − b)/(a + b)), 0 if there is no compression [deg]
 double angle_between(double a, double b) {
   return a + b > 0.0 ? std::asin(std::clamp((a - b) / (a + b), -1.0, 1.0)) * degrees : 0.0;
 }

@@ -8,7 +8,7 @@ namespace riedel {
 
 namespace {
 
-/// Row by row, for a column of one point each.
+/// Row by row, as columns for a batch of one point.
 struct RowByRow {
   std::array<double, 9> entries;
   explicit RowByRow(const Mat<3>& a) {
@@ -20,7 +20,7 @@ struct RowByRow {
   }
 };
 
-/// How a point moves in one step.
+/// The motion of a point in one step.
 struct Course {
   double time = 0.0;                                           ///< Δt [s]
   Mat<3> L = Mat<3>::Zero(), F, rotation = Mat<3>::Identity(); ///< F at the end
@@ -58,7 +58,7 @@ struct Lone {
   }
 };
 
-/// exp(A), by its series; of a large matrix as exp(A/2)².
+/// exp(A), by its series; for a large matrix as exp(A/2)².
 Mat<3> exponential(const Mat<3>& A) {
   constexpr int terms = 14; // 1e-16 for ‖A‖ ≤ 0.5
   if (A.norm() > 0.5 && A.allFinite()) {
@@ -70,7 +70,7 @@ Mat<3> exponential(const Mat<3>& A) {
   return sum;
 }
 
-/// exp(W) of half the spin of an increment, as a turn about its axis.
+/// exp(W) of half the spin of an increment, as a rotation about its axis.
 Mat<3> half_rotation(const Mat<3>& increment) {
   const Mat<3> W = 0.25 * (increment - increment.transpose());
   const Vec<3> axis(W(2, 1), W(0, 2), W(1, 0));
@@ -105,7 +105,7 @@ void begin_stage(MaterialPoint& point) {
 
 namespace {
 
-/// Rotates what turns over a step to where it stands at its end. @return the step
+/// Rotates stress and tensors to the end of a step. @return the step
 Course begin_step(const Material& law, MaterialPoint& point, const Mat<3>& increment, double time) {
   Course course{.time = time, .L = increment / time, .F = exponential(increment) * point.F};
   if (increment == increment.transpose()) return course;

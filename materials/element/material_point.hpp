@@ -1,4 +1,4 @@
-/// One point of a material without a grid: how it deforms, and what its law makes of that.
+/// One point of a material without a grid: its deformation, and the response of its law.
 #pragma once
 
 #include "core/base/tensor.hpp"
@@ -8,38 +8,38 @@
 
 namespace riedel {
 
-/// A point and where its deformation has brought it. Tension and extension are positive.
+/// A point and its deformation so far. Tension and extension are positive.
 struct MaterialPoint {
   Mat<3> F = Mat<3>::Identity();            ///< deformation gradient
   Sym<double> strain = Sym<double>::zero(); ///< ∫ D dt, Mandel
   Sym<double> stress = Sym<double>::zero(); ///< Cauchy, Mandel [Pa]
-  std::vector<double> state = {};           ///< a value per component of the law's state variables
+  std::vector<double> state = {};           ///< one value per component of the law's state variables
   double time = 0.0;                        ///< [s]
-  int stage = 1;                            ///< of the path that the point is led along, from 1
-  double stage_start = 0.0;                 ///< when it began [s]
-  std::int64_t increments = 0;              ///< steps taken in it
+  int stage = 1;                            ///< of the path that the point follows, from 1
+  double stage_start = 0.0;                 ///< start of the stage [s]
+  std::int64_t increments = 0;              ///< steps taken in the stage
 };
 
 /// Deforms a point by F → exp(L Δt) F, with the velocity gradient L constant over the step. As in a run, stress and
-/// tensors among the state variables are rotated before the law integrates. L, turned by half the spin, is handed over
-/// in the frame that they are in then: the same as to rotate by half the spin before and after, which is second order
-/// in Δt (Strang 1968, SIAM J. Numer. Anal. 5). The law sees ‖D‖ itself, not an average.
-/// @param increment L Δt [-]   @param time Δt [s]   @param report of the law; failures > 0: the answer is void
-/// @throws RunError where the law throws
+/// tensors among the state variables are rotated before the law integrates. L, rotated by half the spin, is passed in
+/// the frame of the rotated tensors: this equals rotating by half the spin before and after, which is second order in
+/// Δt (Strang 1968, SIAM J. Numer. Anal. 5). The law gets ‖D‖ itself, not an average.
+/// @param increment L Δt [-] @param time Δt [s] @param report of the law; failures > 0: the result is invalid
+/// @throws RunError if the law throws
 MaterialPoint deformed(const Material& law, MaterialPoint point, const Mat<3>& increment, double time,
                        MaterialReport& report);
 
-/// Calls `use` with a point as the law would be handed it for that step, already rotated.
+/// Calls `use` with a point as it would be passed to the law for that step, already rotated.
 void with_batch(const Material& law, MaterialPoint point, const Mat<3>& increment, double time,
                 const std::function<void(const MaterialBatch&)>& use);
 
-/// Turns stress and tensors among the state variables, but not F.
+/// Rotates stress and tensors among the state variables, but not F.
 void rotate_tensors(const Material& law, MaterialPoint& point, const Mat<3>& Q);
 
-/// The point's next step is the first one of another stage.
+/// The point's next step is the first one of the next stage.
 void begin_stage(MaterialPoint& point);
 
-/// What the law says of a point's state.
+/// The law's assessment of a point's state.
 MaterialLimits assess(const Material& law, MaterialPoint point);
 
 } // namespace riedel

@@ -22,7 +22,7 @@ template <int Component>
 double stress(const MaterialPoint& q) {
   return Component < 3 ? -q.stress.m[Component] : q.stress.m[Component] / std::numbers::sqrt2;
 }
-/// ∫ D dt, compression positive; of a shear 2 ∫ D_ij dt.
+/// ∫ D dt, compression positive; for a shear 2 ∫ D_ij dt.
 template <int Component>
 double natural(const MaterialPoint& q) {
   return Component < 3 ? -q.strain.m[Component] : q.strain.m[Component] * std::numbers::sqrt2;
@@ -52,7 +52,7 @@ const std::vector<Measure>& measures() {
       {"gamma", "-", "simple shear u/h0 of planes normal to 2 along 1", shear<0, 1>},
       {"gamma_13", "-", "simple shear of planes normal to 3 along 1", shear<0, 2>},
       {"gamma_23", "-", "simple shear of planes normal to 3 along 2", shear<1, 2>},
-      {"sigma_1", "Pa", "stress along 1, compression positive; with the pressure of pore water", stress<0>, 1.0},
+      {"sigma_1", "Pa", "stress along 1, compression positive; includes the pore water pressure", stress<0>, 1.0},
       {"sigma_2", "Pa", "stress along 2", stress<1>, 1.0},
       {"sigma_3", "Pa", "stress along 3", stress<2>, 1.0},
       {"tau", "Pa", "shear stress on planes normal to 2 along 1", stress<3>},
@@ -72,8 +72,8 @@ const std::vector<Measure>& measures() {
       {"ln_q", "-", "2/3 (ln_1 - (ln_2 + ln_3)/2), conjugate to q", natural_deviator},
       {"ln_z", "-", "(ln_2 - ln_3)/2, conjugate to sigma_2_minus_3", natural_difference},
       {"ln_2_plus_3", "-", "ln_2 + ln_3", natural_sum},
-      {"phi_mob", "deg", "mobilised angle of friction", mobilised_angle, 0.0, false},
-      {"u", "Pa", "pressure of the pore water", nothing, 1.0, false},
+      {"phi_mob", "deg", "mobilised friction angle", mobilised_angle, 0.0, false},
+      {"u", "Pa", "pore water pressure", nothing, 1.0, false},
       {"p_eff", "Pa", "effective mean pressure, p - u", pressure, 0.0, false},
   };
   return all;

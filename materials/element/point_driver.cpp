@@ -20,12 +20,12 @@ double Condition::course(double from, double share) const {
   return std::lerp(from, target, share) + swing * wave;
 }
 
-/// What one step has to meet at its end.
+/// The conditions that one step has to meet at its end.
 struct PointDriver::Task {
   const LoadStep& leg;
   const MaterialPoint& start;
   std::array<double, 6> target;
-  double share, length; ///< of the leg at the end of the step, and that it takes
+  double share, length; ///< of the leg: completed at the end of the step, and taken by the step
   Allowed allowed;
 
   /// @param from values of the measures at the start of the leg
@@ -38,7 +38,7 @@ struct PointDriver::Task {
     return leg.conditions[c].of_stress ? allowed.stress : allowed.strain;
   }
   [[nodiscard]] double time() const { return length * leg.duration; }
-  /// L Δt of a motion that is given whole: of second order, as the step is.
+  /// L Δt of a prescribed motion: of second order, like the step.
   [[nodiscard]] Mat<3> given_increment() const {
     const Mat<3> change = leg.deformation - Mat<3>::Identity();
     const Mat<3> before = Mat<3>::Identity() + (share - length) * change, after = Mat<3>::Identity() + share * change;
@@ -63,8 +63,8 @@ Mat<3> increment_of(const Eigen::Matrix<double, 6, 1>& x, LoadStep::Motion motio
 PointDriver::PointDriver(const Material& law, MaterialPoint start, const PointControl& control)
     : law_(law), control_(control), point_(std::move(start)) {}
 
-/// Residuals that Newton's method has to come below: a thousandth of the tolerance and less, but no less than
-/// round-off. A law that keeps its strain computes stress from it, to the round-off of strain times its stiffness.
+/// Limits for the residuals of Newton's method: at most a thousandth of the tolerance, but not below round-off. A law
+/// that stores its strain computes stress from it, with the round-off of strain times stiffness.
 PointDriver::Allowed PointDriver::allowed() const {
   const double speed = assess(law_, point_).wave_speed;
   const double stiffness = law_.density(point_.state) * speed * speed + control_.added_stiffness;
@@ -93,8 +93,8 @@ PointDriver::Step PointDriver::attempt(const Task& task, const Vector& x) const 
   return step;
 }
 
-/// Difference quotients of the residual. Laws are homogeneous in the rate, so the step is a share of the increment.
-/// What is smaller than round-off can make it, over the greatest stiffness, is a direction in which nothing changes.
+/// Difference quotients of the residual. Laws are homogeneous in the rate, so the step is a fraction of the increment.
+/// A direction whose quotients are below their round-off, over the largest stiffness, changes nothing.
 void PointDriver::take_slopes(const Task& task, const Step& at) {
   const double h = 1e-3 * std::max(at.increment.lpNorm<Eigen::Infinity>(), 1e-7);
   Matrix quotients;
@@ -114,7 +114,7 @@ void PointDriver::take_slopes(const Task& task, const Step& at) {
   inverse_ = decomposition.pseudoInverse();
 }
 
-/// Newton's step with the slopes at hand; where they are new, it is shortened until it helps.
+/// Newton's step with the present slopes; if they are new, it is shortened until it reduces the residual.
 PointDriver::Step PointDriver::corrected(const Task& task, const Step& step, bool slopes_are_new) const {
   Vector change = Vector::Zero();
   for (Eigen::Index c = 0; c < 6; ++c) change += scales_[c] * step.residual[c] * inverse_.col(c);
@@ -127,12 +127,12 @@ PointDriver::Step PointDriver::corrected(const Task& task, const Step& step, boo
 /// Slopes are kept from step to step as long as each correction leaves less than a fifth of the residual.
 std::optional<PointDriver::Step> PointDriver::solve_from(const Task& task, const Vector& guess) {
   constexpr int maximum = 30;
-  constexpr double stalled = 30.0; // where the law cuts its sub-steps otherwise, its answer jumps by so little
+  constexpr double stalled = 30.0; // jumps of the law's answer from other sub-steps
   Step step = attempt(task, guess);
   for (int i = 0; i < maximum && step.size > 1.0; ++i) {
     const bool renewed = !has_slopes_;
     if (renewed) take_slopes(task, step);
-    // At rest the law has a slope for each direction, and none of them need point downhill.
+    // At rest the law has a slope for each direction, and none of them needs to point downhill.
     const bool at_rest = step.increment.isZero();
     const Step next = corrected(task, step, renewed && !at_rest);
     const bool helped = next.size < 0.9 * step.size || (at_rest && next.size < HUGE_VAL);
@@ -149,7 +149,7 @@ std::optional<PointDriver::Step> PointDriver::solve_from(const Task& task, const
   return std::nullopt;
 }
 
-/// So much of a direction that the residual becomes as small as it can. @return nothing where that is no way forward
+/// Line search along a direction for the smallest residual. @return nothing if the direction does not reduce it
 std::optional<PointDriver::Vector> PointDriver::scaled(const Task& task, const Vector& direction) const {
   constexpr double h = 1e-7; // laws are homogeneous in the rate
   const Step rest = attempt(task, Vector::Zero());
@@ -170,8 +170,8 @@ std::optional<PointDriver::Step> PointDriver::given_motion(const Task& task) {
   return std::nullopt;
 }
 
-/// Where Newton's method fails from the guess, it starts anew in other directions: a law that answers loading and
-/// unloading with different slopes may hide the one behind the other.
+/// If Newton's method fails from the guess, it restarts in other directions: a law with different slopes in loading and
+/// unloading may hide one behind the other.
 std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vector& guess) {
   if (task.leg.motion == LoadStep::Motion::given) return given_motion(task);
   if (auto step = solve_from(task, guess)) return step;
@@ -184,7 +184,7 @@ std::optional<PointDriver::Step> PointDriver::solve(const Task& task, const Vect
   return std::nullopt;
 }
 
-/// The step from `share` on: whole, and in two halves.
+/// The step from `share` on: in one, and in two halves.
 std::optional<PointDriver::Halves> PointDriver::step_and_halves(const LoadStep& leg, const std::array<double, 6>& from,
                                                                 double share, double length) {
   const double half = 0.5 * length;
@@ -196,12 +196,12 @@ std::optional<PointDriver::Halves> PointDriver::step_and_halves(const LoadStep& 
   if (!first) return std::nullopt;
   const auto second = solve({leg, first->end, from, share + length, half, error}, first->increment);
   if (!second) return std::nullopt;
-  missed_.clear(); // what failed on the way has been found from elsewhere
+  missed_.clear(); // earlier failures do not matter any more
   return compared(*whole, *first, *second, length, error);
 }
 
-/// At a kink, as where a law begins to yield, the error relative to the step does not fall with its length; there a
-/// share of the leg's deformation counts. Residuals and round-off are no errors of the step.
+/// At a kink, such as the onset of yielding, the error relative to the step does not decrease with its length; there a
+/// share of the leg's deformation is the reference. Residuals and round-off are not counted as errors of the step.
 PointDriver::Halves PointDriver::compared(const Step& whole, const Step& first, const Step& second, double length,
                                           const Allowed& allowed) const {
   constexpr double kink = 1e-4, residuals = 4.0;
@@ -232,7 +232,7 @@ bool PointDriver::follow(const LoadStep& leg, const std::function<bool(const Mat
     if (share + 1.01 * length > 1.0) length = 1.0 - share;
     const auto step = step_and_halves(leg, from, share, length);
     const double factor =
-        step ? 0.9 * std::min(1.0 / std::cbrt(step->error), 1.0 / step->change) : 0.25; // infinite of 0, cut below
+        step ? 0.9 * std::min(1.0 / std::cbrt(step->error), 1.0 / step->change) : 0.25; // infinite for 0, limited below
     if (step && step->error <= 1.0 && step->change <= 1.0) {
       keep(*step, length);
       share = length == 1.0 - share ? 1.0 : share + length;
@@ -261,8 +261,8 @@ std::string PointDriver::lost(double share) const {
   const std::string place = short_text(100.0 * share, 4) + " % of this leg (" + where + ")";
   if (missed_.empty()) return "the stress jumps, however short the step, beyond " + place;
   if (!refused_.empty()) return "the law failed beyond " + place + ": " + std::string(refused_);
-  return "no deformation gives " + missed_ + " what the path asks for: the material cannot follow beyond " + place +
-         "; it is at its limit state, or without stress";
+  return "no deformation gives " + missed_ + " the value that the path requires: the material cannot follow beyond " +
+         place + "; it is at its limit state, or stress-free";
 }
 
 } // namespace riedel

@@ -24,7 +24,7 @@ void ElementRows::begin(std::int64_t stage, std::int64_t cycle) {
 void ElementRows::record(const MaterialPoint& point) {
   if (rows_.size() >= max_element_rows)
     throw RunError("there are " + std::to_string(rows_.size()) +
-                   " rows, the most that are kept: take a larger output.every_strain, or fewer rounds");
+                   " rows, the maximum: take a larger output.every_strain, or fewer rounds");
   last_ = row_of(point);
   point_ = point;
   written_ = false;
@@ -40,7 +40,7 @@ void ElementRows::write() {
 
 ElementRow ElementRows::row_of(const MaterialPoint& point) const {
   const double e = column_ >= 0 ? point.state[static_cast<std::size_t>(column_)]
-                                : (1.0 + void_ratio_) * point.F.determinant() - 1.0; // a law that carries none
+                                : (1.0 + void_ratio_) * point.F.determinant() - 1.0; // for a law without it
   ElementRow row = element_row(point, e, friction_, water_.present() ? water_.pressure(point) : 0.0);
   row.stage = stage_;
   row.cycle = cycle_;
@@ -48,7 +48,7 @@ ElementRow ElementRows::row_of(const MaterialPoint& point) const {
 }
 
 bool ElementRows::near(const ElementRow& a, const ElementRow& b) const {
-  constexpr double usual = 5e-4; // strain between rows, unless fewer rows are asked for [-]
+  constexpr double usual = 5e-4; // strain between rows, unless fewer rows are requested [-]
   const double coarser = std::max(1.0, every_ / usual);
   const double angle = 0.1 * coarser, share = 0.005 * coarser; // [deg], of the stress
   double strain = std::abs(a.gamma - b.gamma), change = std::abs(a.tau - b.tau), size = std::abs(b.tau);

@@ -1,4 +1,4 @@
-/// Decides which points of a path become rows of a curve: straight lines between them show it.
+/// Selects the points of a path that become rows of a curve, such that straight lines between them show it.
 #pragma once
 
 #include "core/base/thread_choice.hpp"
@@ -7,24 +7,24 @@
 
 namespace riedel {
 
-/// What a driver tells, and asks, on its way.
+/// What a driver reports and queries during a test.
 struct ElementWatch {
-  std::function<void(const ElementRow&, const MaterialPoint&)> at_row; ///< for each row, the start included
-  std::function<bool()> stop;                                          ///< asked after each step
-  ThreadRange threads = {};                                            ///< of a specimen of many points
+  std::function<void(const ElementRow&, const MaterialPoint&)> at_row; ///< called for each row, including the start
+  std::function<bool()> stop;                                          ///< checked after each step
+  ThreadRange threads = {};                                            ///< for a specimen of many points
 };
 
 class ElementRows {
 public:
-  /// @param void_ratio at the start, for a law that carries none   @param every strain between rows at most [-]
+  /// @param void_ratio at the start, for a law without it @param every maximum strain between rows [-]
   ElementRows(const Material& law, double void_ratio, double every, Friction friction, const PoreWater& water,
               const ElementWatch& watch, std::vector<ElementRow>& rows);
 
-  /// What follows belongs to this stage, in this round, both from 1.
+  /// Sets the stage and the round of the following rows, both from 1.
   void begin(std::int64_t stage, std::int64_t cycle);
-  /// A row, if the point lies far enough from the last one. @throws RunError when there are too many
+  /// Adds a row if the point is far enough from the last row. @throws RunError if there are too many
   void record(const MaterialPoint& point);
-  /// The last point looked at becomes a row, wherever it lies.
+  /// Adds the last point as a row in any case.
   void write();
 
 private:

@@ -14,17 +14,17 @@ namespace riedel {
 
 namespace {
 
-constexpr int finest_halving = 6; ///< 2⁶ steps stand for the exact answer
-constexpr int turns = 8;          ///< steps in which a body turns: none of them by more than 22.5°
+constexpr int finest_halving = 6; ///< 2⁶ steps serve as the exact solution
+constexpr int turns = 8;          ///< steps of a body's rotation: each by at most 22.5°
 
-/// From 11, 22, 33, 12, 13, 23; `shear` turns a shear component into Mandel's.
+/// From 11, 22, 33, 12, 13, 23; `shear` is the factor from a shear component to Mandel's.
 Sym<double> mandel(const std::vector<double>& v, double shear) {
   Sym<double> a;
   for (std::size_t c = 0; c < 6; ++c) a.m[c] = (c < 3 ? 1.0 : shear) * v[c];
   return a;
 }
 
-/// One step of a second. @throws RunError with the name of the probe
+/// One step that takes a second. @throws RunError with the name of the probe
 MaterialPoint moved(const Umat& law, const MaterialPoint& from, const Mat<3>& increment, const char* probe) {
   MaterialReport report;
   MaterialPoint to;
@@ -35,7 +35,7 @@ MaterialPoint moved(const Umat& law, const MaterialPoint& from, const Mat<3>& in
   return to;
 }
 
-/// A copy of a library in the folder for temporary files, as a second thread of a run makes one.
+/// A copy of a library in the folder for temporary files, as made for a second thread of a run.
 class CopiedFile {
 public:
   explicit CopiedFile(const std::string& from) {
@@ -61,7 +61,7 @@ private:
   bool made_ = false;
 };
 
-/// The greater one, or the one that is no number.
+/// The larger one, or the one that is NaN.
 double worse(double a, double b) { return b <= a ? a : b; }
 
 /// W with W x = w × x.
@@ -75,8 +75,7 @@ double norm_of(const double* numbers, int count) {
   return std::sqrt(std::inner_product(numbers, numbers + count, numbers, 0.0));
 }
 
-/// |a − b|, over the change from `start` to b, or over a small share of b where it hardly changes; numbers of one
-/// state.
+/// |a − b|, over the change from `start` to b, or over a small fraction of b if it hardly changes; within a state.
 double relative(const double* a, const double* b, const double* start, int count) {
   constexpr double share = 1e-4;
   std::array<double, 6> off{}, change{};
@@ -122,7 +121,7 @@ double UmatProbe::wave_speed() const {
     const double speed = assess(law_, start()).wave_speed;
     if (speed > 0.0) return speed;
   } catch (const RunError& error) { throw RunError(probe + std::string(error.what())); }
-  throw RunError(std::string(probe) + "the UMAT returned no stiffness, from which the time step of a run would follow");
+  throw RunError(std::string(probe) + "the UMAT returned no stiffness, from which the time step of a run is computed");
 }
 
 double UmatProbe::idle_change() const {
@@ -136,7 +135,7 @@ void UmatProbe::compare(const MaterialPoint& there, const MaterialPoint& expecte
   const MaterialPoint from = start();
   std::size_t column = 0, variable = 1;
   for (const StateVariable& state : law_.states()) {
-    if (variable == worst.size()) break; // the total strain is not the UMAT's
+    if (variable == worst.size()) break; // the total strain does not come from the UMAT
     const double error = relative(&there.state[column], &expected.state[column], &from.state[column], state.components);
     worst[variable].error = worse(worst[variable].error, error);
     column += static_cast<std::size_t>(state.components);
@@ -216,7 +215,7 @@ double UmatProbe::nanoseconds() const {
     MaterialReport report;
     const auto from = std::chrono::steady_clock::now();
     for (int i = 0; i < calls; ++i) {
-      for (std::size_t c = 0; c < 6; ++c) *batch.stress[c] = stress_.m[c]; // the state may drift; it costs the same
+      for (std::size_t c = 0; c < 6; ++c) *batch.stress[c] = stress_.m[c]; // the state may drift; the cost is the same
       law_.integrate(batch, report);
     }
     spent = std::chrono::steady_clock::now() - from;

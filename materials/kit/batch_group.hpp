@@ -1,4 +1,4 @@
-/// Points as a rate law sees them, and their way in and out of a batch's columns.
+/// Points as passed to a rate law, and their transfer to and from a batch's columns.
 #pragma once
 
 #include "core/base/tensor.hpp"
@@ -31,10 +31,10 @@ public:
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] double time_step() const { return batch_.time_step; }
   [[nodiscard]] const double* averaged() const { return batch_.averaged; }
-  /// The column behind the law's own: how far a frictional point has opened.
+  /// The column after the law's own: how far a frictional point has opened.
   [[nodiscard]] const double* separation() const { return batch_.state[States]; }
 
-  /// Of a column of the batch; lanes past the last point repeat it.
+  /// Values of a column of the batch; lanes past the last point repeat it.
   [[nodiscard]] Real load(const double* column) const {
     if constexpr (lane_count<Real> == 1) {
       return column[first_];

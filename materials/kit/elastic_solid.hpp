@@ -1,4 +1,4 @@
-/// Isotropic elasticity and density: the parameters that solids share.
+/// Isotropic elasticity and density: the parameters common to solids.
 #pragma once
 
 #include "core/base/parameters.hpp"

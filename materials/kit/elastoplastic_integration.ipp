@@ -32,17 +32,17 @@ Real ElastoplasticControl::max_squared_speed(const Sym<Real>& sigma, const Real&
   const Real J = exp(volume_strain);
   if (!hencky) return Real((solid.longitudinal() + added) / solid.density) * J;
   // In principal axes the shear stiffness is μ x coth x ≤ μ (1 + x²/3), x the difference of two elastic strains, and
-  // the stress itself adds to any direction's stiffness.
+  // the stress itself adds to the stiffness in any direction.
   const Sym<Real> tau = J * sigma, s = deviator(tau);
   const Real x_squared = Real(0.5 / (solid.mu * solid.mu)) * dot(s, s);
   return (Real(solid.longitudinal() + added) + Real(2.0 / 3.0 * solid.mu) * x_squared + norm(tau)) /
          Real(solid.density);
 }
 
-/// Moves the points that certainly stay elastic and those at rest. @return which these are
+/// Advances the points that certainly stay elastic, and those at rest. @return which these are
 template <class Law>
 Mask ElastoplasticLaw<Law>::stay_elastic(const BatchGroup<Pack, variables>& group) const {
-  constexpr double doubt = 1e-6; // principal values of a pack are good to 1e-8
+  constexpr double doubt = 1e-6; // principal values of a pack are accurate to 1e-8
   const Point<Pack> start = group.points();
   const Sym<Pack> strain = Pack(group.time_step()) * group.rate();
   const Mask still = dot(strain, strain) <= Pack(0.0);
@@ -78,7 +78,7 @@ void ElastoplasticLaw<Law>::integrate(const MaterialBatch& batch, MaterialReport
   }
 }
 
-/// One point over one step. @return why it could not be done, or nothing
+/// Advances one point by one step. @return why that failed, or empty
 template <class Law>
 std::string_view ElastoplasticLaw<Law>::advance(Point<double>& point, const Sym<double>& strain,
                                                 const double* averaged) const {
@@ -93,7 +93,7 @@ std::string_view ElastoplasticLaw<Law>::advance(Point<double>& point, const Sym<
   return {};
 }
 
-/// Plastic flow from a trial stress outside the yield surface: Δκ is what the return to the surface of κ + Δκ gives.
+/// Plastic flow from a trial stress outside the yield surface: the return to the surface for κ + Δκ yields Δκ itself.
 template <class Law>
 std::string_view ElastoplasticLaw<Law>::flow(Point<double>& point, const Spectral& trial,
                                              const double* averaged) const {

@@ -12,7 +12,7 @@ struct FlowDirections {
   Vec<3> normal, flow;
 };
 
-/// What every elastoplastic law takes beside its strength.
+/// Parameters of every elastoplastic law, in addition to its strength.
 struct ElastoplasticControl {
   ElasticSolid solid;
   bool hencky;            ///< elastic strains are logarithmic; otherwise stress increments with the objective rate
@@ -27,11 +27,11 @@ struct ElastoplasticControl {
   /// An upper bound of stiffness over density, in any direction [m²/s²]. @param added by plastic flow [Pa]
   template <class Real>
   [[nodiscard]] Real max_squared_speed(const Sym<Real>& sigma, const Real& volume_strain, double added) const;
-  /// By how much non-associated flow can make the response stiffer than the elastic one [Pa].
+  /// Maximum increase of stiffness over the elastic one by non-associated flow [Pa].
   [[nodiscard]] double added_by(const FlowDirections& flow) const;
 };
 
-/// x = f(x) for x ≥ 0, from the value `first` of f at zero. @param round_off of f   @return NaN where none is found
+/// x = f(x) for x ≥ 0, from the value `first` of f at zero. @param round_off of f @return NaN if none is found
 template <class F>
 double fixed_point(const F& f, double first, double round_off);
 
@@ -42,18 +42,18 @@ double fixed_point(const F& f, double first, double round_off);
 ///
 /// A law derives from ElastoplasticLaw<Law> and provides, σ_1 ≥ σ_2 ≥ σ_3 being principal stresses, tension positive,
 ///   bool softens() const;                            whether the strength depends on κ
-///   auto strength(const Real& kappa) const;          what the two below need to know of the strength at κ
-///   Real yield(const std::array<Real, 3>& sigma, const auto& strength) const;    f [Pa], ≤ 0 where admitted
+///   auto strength(const Real& kappa) const;          the strength at κ as the functions below need it
+///   Real yield(const std::array<Real, 3>& sigma, const auto& strength) const;    f [Pa], ≤ 0 if admissible
 ///   FlowDirections directions(const auto& strength) const;      of the smooth part of the surface, for the wave speed
 ///   Vec<3> returned(const Vec<3>& trial, const auto& strength) const;            the stress after plastic flow
-/// the first two for Real = double and Real = Pack. Flow keeps the principal directions.
+/// with Real = double and Real = Pack for the first two. Flow keeps the principal directions.
 template <class Law>
 class ElastoplasticLaw : public Material {
 public:
   explicit ElastoplasticLaw(const ElastoplasticControl& control) : control_(control) {}
 
   [[nodiscard]] std::span<const StateVariable> states() const final { return states_; }
-  /// The average has a say in the softening alone.
+  /// The average affects the softening only.
   [[nodiscard]] std::vector<std::string> nonlocal_variables() const final {
     if (law().softens()) return {"plastic_strain"};
     return {};
@@ -86,7 +86,7 @@ private:
   ElastoplasticControl control_;
   std::vector<StateVariable> states_{
       {"plastic_strain", "-", "accumulated plastic deviatoric strain κ = ∫ √(2/3) ‖dev D_p‖ dt"},
-      {"volume_strain", "-", "logarithm of the volume over that at the start"}};
+      {"volume_strain", "-", "logarithm of the volume over the initial volume"}};
 };
 
 } // namespace riedel

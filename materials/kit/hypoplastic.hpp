@@ -1,7 +1,6 @@
-/// What hypoplastic laws of sand have in common. Their stress rate is linear in D and in d, L:D + N d, with
-///   L = f_s [along I + across σ̂⊗σ̂],   N = f_s f_d radial (σ̂ + σ̂*);
-/// a law gives the factors, and everything else follows from them: the rate, its bounds, and the extension by
-/// intergranular strain.
+/// Common part of hypoplastic laws of sand. Their stress rate is linear in D and in d, L:D + N d, with
+///   L = f_s [c_I I + c_ss σ̂⊗σ̂],   N = f_s f_d c_N (σ̂ + σ̂*);
+/// a law provides the factors, from which everything else follows: the rate, its bounds, and intergranular strain.
 #pragma once
 
 #include "materials/kit/sand.hpp"
@@ -15,10 +14,10 @@ struct HypoplasticParts {
   Real f_s, f_d;      ///< factors of pressure and density [Pa], [-]
   Real c_I, c_ss;     ///< of L
   Real c_N;           ///< of N
-  Real e_bar;         ///< the void ratio brought to zero pressure
+  Real e_bar;         ///< the equivalent void ratio at zero pressure
 };
 
-/// σ° = f_s [along D + across σ̂ (σ̂:D) + f_d radial (σ̂ + σ̂*) d]   [Pa/s]
+/// σ° = f_s [c_I D + c_ss σ̂ (σ̂:D) + f_d c_N (σ̂ + σ̂*) d]   [Pa/s]
 template <class Real>
 Sym<Real> stress_rate(const HypoplasticParts<Real>& q, const Sym<Real>& D, const std::type_identity_t<Real>& d) {
   const Sym<Real> L = q.c_I * D + q.c_ss * dot(q.s, D) * q.s;
@@ -32,7 +31,7 @@ Real void_ratio_rate(const Real& e, const Sym<Real>& D) {
   return (Real(1.0) + e) * trace(D);
 }
 
-/// The greatest of σ̂:nn over all directions n, which is the greatest principal value.
+/// The maximum of σ̂:nn over all directions n, which is the largest principal value.
 template <class Real>
 Real max_principal(const HypoplasticParts<Real>& q) {
   const Real lode = acos(-cos_3_lode(q.s_dev)) * Real(1.0 / 3.0);
@@ -46,9 +45,9 @@ Real basic_stiffness(const HypoplasticParts<Real>& q) {
   return q.f_s * (q.c_I + q.c_ss * s_nn * s_nn + q.f_d * q.c_N * (Real(2.0) * s_nn - Real(1.0 / 3.0)));
 }
 
-/// Greatest wave speed of a batch whose state begins with the void ratio and ends, behind `States` columns, with the
-/// separation. Points without contact count with the stress at which they will regain it, so that the time step is
-/// right when they do. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
+/// Largest wave speed of a batch whose state begins with the void ratio and ends, after `States` columns, with the
+/// separation. Points out of contact count with the stress at which they will regain contact, so that the time step is
+/// then valid. @param stiffness of `HypoplasticParts<Pack>`, an upper bound [Pa]
 template <std::size_t States, class Law, class Stiffness>
 [[gnu::flatten]] MaterialLimits assess_sand(const Law& law, const MaterialBatch& batch, const Stiffness& stiffness) {
   const Sand& sand = law.sand();
@@ -64,7 +63,7 @@ template <std::size_t States, class Law, class Stiffness>
     for (std::size_t c = 0; c < 6; ++c) seen.m[c] = select(touching, seen.m[c], Pack(at_contact.m[c]));
     const HypoplasticParts<Pack> parts = law.parts(seen, e);
     const Pack c_squared = stiffness(parts) * (Pack(1.0) + e);
-    fastest = select(c_squared > fastest, c_squared, fastest); // not of NaN
+    fastest = select(c_squared > fastest, c_squared, fastest); // skips NaN
     const auto outside = lanes(touching && (parts.e_bar < Pack(sand.e_d0) || parts.e_bar > Pack(sand.e_i0)));
     answer.out_of_bounds += std::count(outside.begin(), outside.begin() + group.size(), true);
   }

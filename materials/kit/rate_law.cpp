@@ -21,7 +21,7 @@ Keys IntegrationControl::frictional_keys() {
                  .default_value = 0.0,
                  .unit = "Pa",
                  .bounds = at_least(0.0),
-                 .doc = "added to the mean pressure that the law sees, and to that of minimum_pressure"});
+                 .doc = "added to the mean pressure in the law, and to that compared with minimum_pressure"});
   return all;
 }
 

@@ -7,40 +7,39 @@
 
 namespace riedel {
 
-/// How the integration is controlled; every rate law takes these parameters beside its own.
+/// Control of the integration; every rate law takes these parameters in addition to its own.
 struct IntegrationControl {
   double tolerance = 1e-4;       ///< error of stress and state allowed in one step, relative [-]
-  double minimum_pressure = 0.0; ///< p below which a frictional law returns or separates [Pa]; 0: no such limit
+  double minimum_pressure = 0.0; ///< p below which a point of a frictional law returns or separates [Pa]; 0: no limit
 
-  double cohesion_pressure = 0.0; ///< p_t, by which the pressure that a frictional law sees is higher [Pa]
+  double cohesion_pressure = 0.0; ///< p_t, added to the pressure in a frictional law [Pa]
 
   static Keys keys();            ///< `tolerance`
   static Keys frictional_keys(); ///< the same, `minimum_pressure` and `cohesion_pressure`
   explicit IntegrationControl(const Values& given);
 };
 
-/// Explicit integration with error control. d (‖D‖ or its average) is frozen over the step.
+/// Explicit integration with error control. d (‖D‖ or its average) is constant over the step.
 ///  - A step that changes neither the stress nor a state variable by more than four times the tolerance, relative,
-///  takes
-///    one evaluation of the rate (Euler). Euler's method runs half a step behind; where a material forgets its past the
-///    stress stays within twice the tolerance of the exact path, however many steps are taken.
+///    takes one evaluation of the rate (Euler). Euler's method lags by half a step; for a material with fading memory
+///    the stress stays within twice the tolerance of the exact path, for any number of steps.
 ///  - Any other takes two (Heun).
-///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps of Bogacki
-///    and Shampine's pair.
-/// The error of a step is the difference of its pair's two answers, in the stress or in a state variable, relative.
-/// Eight points at a time take the first two; which one a point takes depends on that point alone.
+///  - A point that then misses the tolerance, or is near zero pressure, is integrated alone with sub-steps of the
+///    Bogacki–Shampine pair.
+/// The error of a step is the difference between the two results of its pair, in the stress or in a state variable,
+/// relative. Eight points at a time take the first two methods; which one a point takes depends on that point alone.
 ///
-/// A law derives from RateLaw<Law, States>, States being the number of columns of its own state variables (a scalar has
-/// one, a tensor six), and provides
+/// A law derives from RateLaw<Law, States>, with States the number of columns of its state variables (a scalar has one,
+/// a tensor six), and provides
 ///   static constexpr bool frictional;             whether it needs a pressure above zero
 ///   Rate<Real, States> rate(const Sym<Real>& sigma, const std::array<Real, States>& state,
 ///                               const Sym<Real>& D, Real d) const;      for Real = double and, if it can, Real = Pack
-/// and the virtual functions of Material but `integrate`. A frictional law declares `separation_variable()` last. What
-/// else a law may say stands in rate_law_traits.hpp.
+/// and the virtual functions of Material except `integrate`. A frictional law declares `separation_variable()` last.
+/// rate_law_traits.hpp describes what else a law may declare.
 ///
-/// Low pressure: a frictional law sees σ − p_t I, p_t being the cohesion pressure, and so p + p_t. Where a step would
-/// end with p + p_t below the minimum pressure, an expanding point separates (no stress until its volume is back) and
-/// any other returns along its last direction of σ − p_t I to p + p_t = p_min. Both depend on invariants only.
+/// Low pressure: a frictional law uses σ − p_t I, p_t being the cohesion pressure, and so p + p_t. If a step would end
+/// with p + p_t below the minimum pressure, an expanding point separates (stress-free until its volume is back) and any
+/// other returns along its last direction of σ − p_t I to p + p_t = p_min. Both depend on invariants only.
 template <class Law, std::size_t States>
 class RateLaw : public Material {
 public:
@@ -48,14 +47,14 @@ public:
 
   void integrate(const MaterialBatch& batch, MaterialReport& report) const final;
 
-  /// What the law takes for the stress: σ − p_t I of a frictional law. `rate` is given it; a survey asks for it.
+  /// The stress in the law: σ − p_t I of a frictional law. `rate` receives it; `assess` needs it.
   template <class Real>
   [[nodiscard]] Sym<Real> seen(Sym<Real> sigma) const {
     if constexpr (Law::frictional)
       for (std::size_t c = 0; c < 3; ++c) sigma.m[c] = sigma.m[c] - Real(control_.cohesion_pressure);
     return sigma;
   }
-  /// Of a point that regains contact: the least pressure, or none where cohesion bears more than that.
+  /// For a point that regains contact: the minimum pressure, or none if cohesion carries more than that.
   [[nodiscard]] Sym<double> contact_stress() const {
     return -std::max(control_.minimum_pressure - control_.cohesion_pressure, 0.0) * Sym<double>::identity();
   }
@@ -69,7 +68,7 @@ private:
   template <class Real>
   using Point = PointState<Real, States>;
   template <class Real>
-  struct Step { ///< what happens to one point, or to eight, over a time
+  struct Step { ///< the step of one point, or of eight
     Sym<Real> D;
     Real d;
     double time;
@@ -77,8 +76,8 @@ private:
   template <class Real>
   struct Trial { ///< a step without sub-steps
     Point<Real> end;
-    MaskOf<Real> good;  ///< false of NaN
-    MaskOf<Real> twice; ///< took two evaluations
+    MaskOf<Real> good;  ///< false for NaN
+    MaskOf<Real> twice; ///< needed two evaluations
   };
   struct Lone { ///< a point integrated alone
     Point<double> point;

@@ -2,7 +2,7 @@
 
 namespace riedel {
 
-/// Whether one evaluation of the rate is enough for a step. NaN changes much.
+/// Whether one evaluation of the rate is enough for a step. NaN counts as a large change.
 template <class Law, std::size_t States>
 template <class Real>
 auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<Real>& end) const -> MaskOf<Real> {
@@ -20,7 +20,7 @@ auto RateLaw<Law, States>::changes_little(const Point<Real>& start, const Point<
   return little;
 }
 
-/// The greatest of the errors of stress and state, relative; NaN where the state is.
+/// The largest of the relative errors of stress and state; NaN if the state is NaN.
 template <class Law, std::size_t States>
 template <class Real>
 Real RateLaw<Law, States>::error(const Point<Real>& start, const PairStep<Real, States>& step) const {
@@ -38,7 +38,7 @@ Real RateLaw<Law, States>::error(const Point<Real>& start, const PairStep<Real, 
   return maximum;
 }
 
-/// One evaluation or two, lane by lane; points near zero pressure are left to those integrated alone.
+/// One evaluation or two, lane by lane; points near zero pressure are left to the integration one by one.
 template <class Law, std::size_t States>
 template <class Real>
 [[gnu::flatten]] auto RateLaw<Law, States>::attempt(const Point<Real>& start, const Real& separation,

@@ -1,5 +1,4 @@
-/// The bodies of RateLaw's member functions for points integrated alone; part of rate_law.hpp, after the
-/// class.
+/// The bodies of RateLaw's member functions for points integrated alone; part of rate_law.hpp, after the class.
 
 namespace riedel {
 
@@ -17,15 +16,15 @@ void RateLaw<Law, States>::integrate_alone(const MaterialBatch& batch, Index p, 
   if constexpr (Law::frictional) place.store(batch.state[States], lone.separation);
 }
 
-/// Sub-steps one point through the step. @return why it could not be done, or nothing
+/// Integrates one point over the step in sub-steps. @return why that failed, or empty
 template <class Law, std::size_t States>
 std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<double>& over,
                                                      MaterialReport& report) const {
   constexpr double smallest_share = 1e-4;
   const double allowed =
-      control_.tolerance / 8.0; // what sub-steps of order 3 gather in a step stays near the tolerance
+      control_.tolerance / 8.0; // so that the errors of sub-steps of order 3 add up to about the tolerance
   const auto rate_at = [&](const Point<double>& at) { return rate(at, over); };
-  std::optional<Rate<double, States>> first; // at the start of the sub-step, where it is known
+  std::optional<Rate<double, States>> first; // at the start of the sub-step, if known
   double left = over.time, share = 1.0;
   bool cut = false;
   while (left > 1e-12 * over.time) {
@@ -39,7 +38,7 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
     const auto step = bogacki_shampine(lone.point, *first, dt, rate_at);
     const double missed = error(lone.point, step) / allowed;
     if (!(missed <= 1.0)) {
-      if (share < smallest_share) return "the tolerance is missed even in 10000 sub-steps";
+      if (share < smallest_share) return "the tolerance is missed even with 10000 sub-steps";
       share *= std::isfinite(missed) ? std::clamp(0.9 / std::cbrt(missed), 0.1, 0.5) : 0.1;
       ++report.rejected_substeps;
       cut = true;
@@ -52,14 +51,14 @@ std::string_view RateLaw<Law, States>::advance_alone(Lone& lone, const Step<doub
       if (-trace(lone.point.stress) < min_trace())
         leave_low_pressure(lone, before, trace(over.D) * dt, report), first.reset();
     left -= dt;
-    share *= std::clamp(0.9 / std::cbrt(missed), 0.5, 4.0); // infinite of 0
+    share *= std::clamp(0.9 / std::cbrt(missed), 0.5, 4.0); // infinite for 0
     ++report.substeps;
   }
   report.substepped += cut;
   return {};
 }
 
-/// A separated point carries no stress; its state follows the deformation. @return the time left after contact, or 0
+/// A separated point is stress-free; its state follows the deformation. @return the time left after contact, or 0
 template <class Law, std::size_t States>
 double RateLaw<Law, States>::move_stress_free(Lone& lone, Step<double> over, double left,
                                               MaterialReport& report) const {
@@ -78,8 +77,7 @@ double RateLaw<Law, States>::move_stress_free(Lone& lone, Step<double> over, dou
   return left - over.time;
 }
 
-/// p + p_t fell below its limit: an expanding point separates, any other keeps the last direction that the law has
-/// seen.
+/// p + p_t has fallen below its limit: an expanding point separates, any other keeps the last direction of the stress.
 template <class Law, std::size_t States>
 void RateLaw<Law, States>::leave_low_pressure(Lone& lone, const Sym<double>& before, double volume_strain,
                                               MaterialReport& report) const {

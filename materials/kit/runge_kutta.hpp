@@ -1,16 +1,16 @@
 /// Single steps of explicit Runge–Kutta methods for one point of a rate law, or eight. Each takes the rate at the
-/// start, which a step tried again with another length keeps, and a function that gives the rate at any other point.
+/// start, which is kept if a step is repeated with another length, and a function for the rate elsewhere.
 #pragma once
 
 #include "materials/kit/rate_law_traits.hpp"
 
 namespace riedel {
 
-/// Where a step of a pair of methods ends.
+/// The result of a step of a pair of methods.
 template <class Real, std::size_t States>
 struct PairStep {
   PointState<Real, States> end;
-  PointState<Real, States> embedded; ///< of one order less
+  PointState<Real, States> embedded; ///< of one order lower
 };
 
 /// Euler's method, order 1.
@@ -21,7 +21,7 @@ PointState<Real, States> moved(PointState<Real, States> point, const Rate<Real, 
   return point;
 }
 
-/// Heun's method, order 2, with Euler's in it.
+/// Heun's method, order 2, with Euler's embedded.
 template <class Real, std::size_t States, class RateAt>
 PairStep<Real, States> heun(const PointState<Real, States>& start, const Rate<Real, States>& first, double time,
                             const RateAt& rate_at) {
@@ -32,7 +32,7 @@ PairStep<Real, States> heun(const PointState<Real, States>& start, const Rate<Re
 
 template <class Real, std::size_t States>
 struct BogackiShampineStep : PairStep<Real, States> {
-  Rate<Real, States> last; ///< at the end, which is the first of the step that follows
+  Rate<Real, States> last; ///< at the end, which is the first of the next step
 };
 
 /// The pair of orders 3 and 2 of Bogacki & Shampine (1989), Applied Mathematics Letters 2(4), 321–325.

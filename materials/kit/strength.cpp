@@ -29,7 +29,7 @@ Keys FrictionalStrength::keys() {
       {"dilatancy_angle_residual", "peak", "deg", angle, "angle of dilatancy after softening", peak},
       {"softening_strain", 0.1, "-", more_than(0),
        "plastic deviatoric strain at which the residual values are reached"},
-      {"tension_cutoff", "off", "Pa", at_least(0), "greatest tension", {"off"}},
+      {"tension_cutoff", "off", "Pa", at_least(0), "maximum tension", {"off"}},
   };
 }
 

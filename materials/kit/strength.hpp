@@ -1,4 +1,4 @@
-/// Cohesion, friction and dilatancy with linear softening, and a tension cut-off: what frictional laws share.
+/// Cohesion, friction and dilatancy with linear softening, and a tension cut-off: common to frictional laws.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -9,14 +9,14 @@
 
 namespace riedel {
 
-/// At one point, or at eight.
+/// Strength of one point, or of eight.
 template <class Real>
 struct Resistance {
   Real cohesion;            ///< c [Pa]
   Real friction, dilatancy; ///< φ, ψ [rad]
 };
 
-/// sin x; packs have no sine of their own.
+/// sin x; packs have no sine function.
 template <class Real>
 Real sine(const Real& x) {
   return cos(Real(0.5 * std::numbers::pi) - x);
@@ -25,10 +25,10 @@ Real sine(const Real& x) {
 class FrictionalStrength {
 public:
   static Keys keys();
-  /// Throws InputError where residual values exceed peak values, dilatancy exceeds friction, or nothing resists shear.
+  /// Throws InputError if residual values exceed peak values, dilatancy exceeds friction, or nothing resists shear.
   FrictionalStrength(const Values& given, std::string_view owner);
 
-  /// c, φ and ψ fall together along a straight line, from their peak values at κ = 0 to the residual ones.
+  /// c, φ and ψ decrease linearly, from their peak values at κ = 0 to the residual ones.
   template <class Real>
   [[nodiscard]] Resistance<Real> at(const Real& kappa) const {
     const Real share = max(Real(0.0), min(Real(1.0), Real(1.0 / softening_strain_) * kappa));

@@ -16,40 +16,41 @@ namespace riedel {
 namespace {
 
 constexpr std::array crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-std::array<struct sigaction, crashes.size()> before; ///< what the signals did; a handler has no other place to look
+std::array<struct sigaction, crashes.size()>
+    before; ///< previous actions of the signals; a handler can use nothing else
 std::atomic<int> calls_under_way = 0;
 
 template <std::size_t Size>
 void say(const char (&text)[Size]) {
-  if (write(STDERR_FILENO, text, Size - 1) < 0) return; // there is no one else to tell
+  if (write(STDERR_FILENO, text, Size - 1) < 0) return; // nowhere else to report
 }
 
 extern "C" void leave_crashed_umat(int signal) {
   leave_umat(UmatEnd::crashed, signal);
   for (std::size_t i = 0; i < crashes.size(); ++i)
     if (crashes[i] == signal) sigaction(signal, &before[i], nullptr);
-  raise(signal); // arrives at once: it is not blocked here
+  raise(signal); // delivered at once: it is not blocked here
 }
 
 extern "C" void give_up(int) {
-  say("riedel: error: the UMAT crashed and left the memory such that nothing more can be written\n");
+  say("riedel: error: the UMAT crashed and corrupted the memory, so that nothing more can be written\n");
   syscall(SYS_exit_group, 3); // at once
 }
 
-/// The function of this name that comes behind ours.
+/// The next function of this name after ours.
 template <class Function>
 Function next_of(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-/// On a thread that the UMAT has started itself, there is no call to leave.
+/// A thread started by the UMAT itself has no call to leave.
 void refuse_end() {
   if (calls_under_way == 0) return;
   say("riedel: error: the UMAT ended the program (STOP or exit) on a thread of its own\n");
   syscall(SYS_exit_group, 3);
 }
 
-/// @param how the C library's own way, by its name
+/// @param how name of the C library's function
 [[noreturn]] void end_program(const char* how, int code) {
   leave_umat(UmatEnd::ended, code);
   refuse_end();
@@ -77,7 +78,7 @@ void catch_crashes_of_umats() {
   for (std::size_t i = 0; i < crashes.size(); ++i) {
     struct sigaction action {};
     action.sa_handler = leave_crashed_umat;
-    action.sa_flags = SA_ONSTACK | SA_NODEFER; // left by a jump, which unblocks nothing
+    action.sa_flags = SA_ONSTACK | SA_NODEFER; // it is left by a jump, which unblocks no signal
     sigaction(crashes[i], &action, &before[i]);
   }
 }
@@ -87,7 +88,7 @@ void prepare_thread_for_crashes() {
   public:
     Stack() {
       stack_t now{};
-      if (sigaltstack(nullptr, &now) != 0 || (now.ss_flags & SS_DISABLE) == 0) return; // somebody else's
+      if (sigaltstack(nullptr, &now) != 0 || (now.ss_flags & SS_DISABLE) == 0) return; // set by other code
       memory_.resize(std::size_t{1} << 16);
       const stack_t own{.ss_sp = memory_.data(), .ss_flags = 0, .ss_size = memory_.size()};
       sigaltstack(&own, nullptr);
@@ -112,8 +113,8 @@ UmatCallUnderWay::UmatCallUnderWay() { ++calls_under_way; }
 UmatCallUnderWay::~UmatCallUnderWay() { --calls_under_way; }
 
 void try_heap_after_crash() {
-  constexpr unsigned patience = 5;              // [s]; a lock that the crash left behind is waited for for ever
-  constexpr std::size_t past_the_cache = 8'192; // of the thread, which takes no lock
+  constexpr unsigned patience = 5;              // [s]; a lock left behind by the crash is never released
+  constexpr std::size_t past_the_cache = 8'192; // size beyond the thread's cache, which takes no lock
   struct sigaction action {
   }, former{};
   action.sa_handler = give_up;
@@ -126,8 +127,8 @@ void try_heap_after_crash() {
 
 } // namespace riedel
 
-/// These stand before those of the C library, so that a UMAT's STOP, which is exit, comes here: inside a call it ends
-/// the call, elsewhere it does what it always does.
+/// These precede those of the C library, so that a UMAT's STOP, which calls exit, arrives here: inside a call it ends
+/// the call, elsewhere it acts as usual.
 extern "C" {
 __attribute__((noreturn)) void exit(int code) { riedel::end_program("exit", code); }
 __attribute__((noreturn)) void _exit(int code) { riedel::end_program("_exit", code); }

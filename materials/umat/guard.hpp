@@ -1,4 +1,4 @@
-/// Ways out of a UMAT other than its return: XIT, exceptions, STOP and exit, crashes.
+/// Ways of leaving a UMAT other than its return: XIT, exceptions, STOP and exit, crashes.
 #pragma once
 
 #include <csetjmp>
@@ -9,26 +9,25 @@ enum class UmatEnd { returned, xit, threw, ended, crashed };
 
 struct UmatOutcome {
   UmatEnd end = UmatEnd::returned;
-  int code = 0; ///< of exit, or the signal
+  int code = 0; ///< exit code, or the signal
 };
 
-/// Where a call goes when its UMAT leaves it early, and what it then finds there.
+/// Where a call continues if its UMAT leaves it early, and with which outcome.
 struct UmatWayOut {
   std::jmp_buf place;
   UmatOutcome outcome;
 };
-/// Of the call that is under way on this thread; null: none is.
+/// For the call in progress on this thread; null: there is none.
 UmatWayOut*& way_out_of_umat();
 
-/// Leaves the call that is under way on this thread, over the UMAT's frames, without running them to their ends;
-/// returns where none is.
+/// Leaves the call in progress on this thread, skipping the UMAT's frames without unwinding them; returns if none is.
 void leave_umat(UmatEnd end, int code);
 
-/// From now on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT inside a call leave it; elsewhere they do what they did.
+/// From now on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT inside a call leave it; elsewhere they act as before.
 void catch_crashes_of_umats();
-/// A stack for this thread's signal handlers, or a stack that has overflowed could not be left.
+/// Gives this thread a stack for signal handlers, without which a stack overflow could not be handled.
 void prepare_thread_for_crashes();
-/// Calls of UMATs that are under way on all threads; a UMAT's own threads may end the program, too.
+/// Counts the calls of UMATs in progress on all threads; a UMAT's own threads may also end the program.
 class UmatCallUnderWay {
 public:
   UmatCallUnderWay();
@@ -36,8 +35,8 @@ public:
   UmatCallUnderWay(const UmatCallUnderWay&) = delete;
   UmatCallUnderWay& operator=(const UmatCallUnderWay&) = delete;
 };
-/// Sees that the heap can still be used after a crash, which may have come while it was locked; ends the program with a
-/// message and exit code 3 if not.
+/// Checks that the heap can still be used after a crash, which may have happened while it was locked; otherwise ends
+/// the program with a message and exit code 3.
 void try_heap_after_crash();
 
 /// @return how the call ended
@@ -46,7 +45,7 @@ UmatOutcome guarded_umat(const Call& call) {
   prepare_thread_for_crashes();
   UmatWayOut out;
   way_out_of_umat() = &out;
-  if (setjmp(out.place) == 0) { // NOLINT: the only way out of Fortran
+  if (setjmp(out.place) == 0) { // NOLINT: the only way to leave Fortran code
     try {
       call();
     } catch (...) { out.outcome.end = UmatEnd::threw; }

@@ -13,7 +13,7 @@ namespace riedel {
 
 namespace {
 
-/// CMNAME: 80 characters, filled up with blanks.
+/// CMNAME: 80 characters, padded with blanks.
 std::array<char, 80> padded(const std::string& name) {
   std::array<char, 80> text;
   text.fill(' ');
@@ -21,7 +21,7 @@ std::array<char, 80> padded(const std::string& name) {
   return text;
 }
 
-/// What a UMAT may write that nobody reads here, and the numbers that never change.
+/// Arguments that a UMAT may write but nobody reads here, and constant numbers.
 struct Unused {
   double sse = 0, spd = 0, scd = 0, rpl = 0, drpldt = 0, temp = 0, dtemp = 0, predef = 0;
   std::array<double, 6> ddsddt{}, drplde{};
@@ -62,7 +62,7 @@ UmatFunction UmatLibrary::copy() const {
   try {
     if (!why.empty()) throw PluginError(why);
     const UmatFunction function = loaded(name);
-    std::filesystem::remove(name, error); // the loaded library needs its name no more
+    std::filesystem::remove(name, error); // the loaded library no longer needs its file
     return function;
   } catch (...) {
     std::filesystem::remove(name, error);
@@ -70,14 +70,14 @@ UmatFunction UmatLibrary::copy() const {
   }
 }
 
-/// Where none can be made, threads take turns with those that there are, which is slow, and said.
+/// If no copy can be made, threads take turns with the existing ones, which is slow and gives a warning.
 void UmatLibrary::add_copy() {
   try {
     free_.push_back(copy());
   } catch (const std::exception& error) {
     takes_turns_ = true;
     std::fprintf(stderr,
-                 "riedel: warning: UMAT %s: there is no copy for another thread, so that threads wait for each other "
+                 "riedel: warning: UMAT %s: there is no copy for another thread, so threads wait for each other "
                  "(%s); set TMPDIR to a folder with room, or material.thread_safe = true if threads may share it\n",
                  path_.c_str(), error.what());
   }

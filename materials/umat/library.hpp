@@ -1,4 +1,4 @@
-/// A user's subroutine UMAT, as Abaqus calls it, in a shared library.
+/// A user's subroutine UMAT, called as by Abaqus, in a shared library.
 #pragma once
 
 #include "core/base/undisturbed.hpp"
@@ -15,7 +15,7 @@
 namespace riedel {
 
 /// Arguments in their order. Tensors: 11, 22, 33, 12, 13, 23, strains with engineering shear; matrices by columns. The
-/// length of CMNAME is hidden behind the others, as gfortran (8 and later) and ifx pass it; C and C++ may leave it out.
+/// length of CMNAME is a hidden last argument, as passed by gfortran (8 and later) and ifx; C and C++ may leave it out.
 using UmatFunction = void (*)(double* stress, double* statev, double* ddsdde, double* sse, double* spd, double* scd,
                               double* rpl, double* ddsddt, double* drplde, double* drpldt, const double* stran,
                               const double* dstran, const double* time, const double* dtime, const double* temp,
@@ -26,12 +26,12 @@ using UmatFunction = void (*)(double* stress, double* statev, double* ddsdde, do
                               const int* npt, const int* layer, const int* kspt, const int* kstep, const int* kinc,
                               std::size_t cmname_length);
 
-/// One call: what goes in and what comes out.
+/// Input and output of one call.
 struct UmatCall {
   std::array<double, 6> stress{}, strain{}, strain_increment{};
   double* state = nullptr;
   std::array<double, 36> stiffness{}; ///< DDSDDE
-  std::array<double, 2> time{};       ///< at the start: of the stage, in all [s]
+  std::array<double, 2> time{};       ///< at the start: in the stage, in total [s]
   double time_step = 0.0;             ///< [s]
   double field_increment = 0.0;       ///< DPRED(1)
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -41,14 +41,14 @@ struct UmatCall {
   int point = 1, increment = 1, stage = 1; ///< NOEL, KINC, KSTEP
 };
 
-/// The library, once, or a copy of it for every call that is under way at the same time: COMMON blocks and SAVE make
-/// one copy unsafe for two threads. Where no copy can be made, threads take turns.
+/// The library, loaded once, or a copy of it for every simultaneous call: COMMON blocks and SAVE make one copy unsafe
+/// for two threads. If no copy can be made, threads take turns.
 class UmatLibrary {
 public:
   /// @param symbol `umat_` from Fortran   @throws PluginError: no such file, not loadable, without the symbol
   UmatLibrary(std::filesystem::path path, std::string symbol, bool thread_safe);
 
-  /// The right to call a copy. What the UMAT does to rounding and traps of the processor ends with it.
+  /// The right to call a copy. Changes by the UMAT to the processor's rounding and traps end with it.
   class Lease {
   public:
     Lease(UmatLibrary& owner, UmatFunction leased) : owner_(owner), function_(leased) {}
@@ -67,7 +67,7 @@ public:
     KeptArithmetic arithmetic_;
     UmatCallUnderWay under_way_;
   };
-  /// Waits where there is one copy for all threads.
+  /// Waits if there is one copy for all threads.
   Lease lease();
   /// "the UMAT FILE ended the program (STOP …)", for messages.
   [[nodiscard]] std::string account_of(const UmatOutcome& outcome) const;
@@ -84,7 +84,7 @@ private:
   bool takes_turns_ = false; ///< no more copies can be made
   std::mutex mutex_;
   std::condition_variable given_back_;
-  std::vector<UmatFunction> free_; ///< copies that nobody calls
+  std::vector<UmatFunction> free_; ///< copies not in use
 };
 
 } // namespace riedel

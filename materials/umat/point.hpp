@@ -1,4 +1,4 @@
-/// One point between the columns of a batch and the arguments of a UMAT.
+/// Converts one point between the columns of a batch and the arguments of a UMAT.
 #pragma once
 
 #include "materials/umat/library.hpp"
@@ -26,23 +26,23 @@ private:
   void copy_state(const UmatPoint& other) { std::copy_n(other.state.begin(), states, state.begin()); }
 };
 
-/// What a UMAT is given of a step, in its own units: all but CMNAME, PROPS and CELENT.
+/// The UMAT's input for a step, in its own units: all except CMNAME, PROPS and CELENT.
 /// @param stress_unit of the UMAT [Pa]
 UmatPoint umat_point(const MaterialBatch& batch, Index p, const UmatStates& states, double stress_unit);
-/// Its answer, into the columns.
+/// Writes the UMAT's results into the columns.
 void give_back(const UmatPoint& point, const MaterialBatch& batch, Index p, const UmatStates& states,
                double stress_unit);
 
-/// A step that is taken in parts: each is a step of its own, with its share of the strain, its own F before and after
-/// it and its own rotation, after which all that turns has turned as in the whole step.
+/// A step that is taken in parts: each is a complete step, with its share of the strain, its own F before and after it
+/// and its own rotation; in the end everything has rotated as in the whole step.
 class UmatParts {
 public:
-  /// @param whole the point at the start of the step, already turned to its end
+  /// @param whole the point at the start of the step, already rotated to its end
   UmatParts(const UmatPoint& whole, const UmatStates& states);
 
-  /// The point as the next part is to find it. @param share of the step
+  /// The point at the start of the next part. @param share of the step
   [[nodiscard]] UmatPoint next(double share) const;
-  /// Takes what came of it.
+  /// Takes over the results of the part.
   void keep(const UmatPoint& answer, double share);
   [[nodiscard]] const UmatPoint& point() const { return now_; }
   [[nodiscard]] double done() const { return done_; } ///< share of the step

@@ -32,7 +32,7 @@ void put(const Eigen::Matrix3d& a, double* s, int kind, int ndi, int nshr) {
 
 extern "C" {
 
-/// Ends the call; the point fails, the program goes on.
+/// Ends the call; the point fails, the program continues.
 void xit_() {
   riedel::leave_umat(riedel::UmatEnd::xit, 0);
   std::abort();
@@ -50,7 +50,7 @@ void sinv_(const double* s, double* mean, double* mises, const int* ndi, const i
   *mises = std::sqrt(1.5) * (a - *mean * Eigen::Matrix3d::Identity()).norm();
 }
 
-/// Principal values, rising. @param kind 1: stress, 2: strain
+/// Principal values, ascending. @param kind 1: stress, 2: strain
 void sprinc_(const double* s, double* principal, const int* kind, const int* ndi, const int* nshr) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(riedel::tensor(s, *kind, *ndi, *nshr));
   Eigen::Map<Eigen::Vector3d>{principal} = solver.eigenvalues();
@@ -63,7 +63,7 @@ void sprind_(const double* s, double* principal, double* directions, const int* 
   Eigen::Map<Eigen::Matrix3d>{directions} = solver.eigenvectors().transpose();
 }
 
-/// Messages: their text goes to the error output as it stands; a grave one (−3) ends the call.
+/// Messages: their text goes to the error output unchanged; a severe one (−3) ends the call.
 void stdb_abqerr_(const int* grade, const char* text, const int*, const double*, const char*, std::size_t length) {
   std::fprintf(stderr, "UMAT: %.*s\n", static_cast<int>(length), text);
   if (*grade <= -3) xit_();

@@ -1,5 +1,5 @@
-/// What Abaqus offers to subroutines: XIT, ROTSIG, SINV, SPRINC, SPRIND, STDB_ABQERR, under the names that Fortran
-/// gives them. They are exported, so that a UMAT finds them.
+/// Utility routines that Abaqus offers to subroutines: XIT, ROTSIG, SINV, SPRINC, SPRIND, STDB_ABQERR, under their
+/// Fortran names. They are exported, so that a UMAT finds them.
 #pragma once
 
 extern "C" {

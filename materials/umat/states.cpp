@@ -11,7 +11,7 @@ UmatStates::UmatStates(const std::string& names, const std::vector<double>& star
   std::istringstream words(names);
   for (std::string word; std::getline(words, word, ',');) declare(word, stress_unit);
   declared_ = variables_.size();
-  while (factors_.size() < start.size()) { // the rest goes by number
+  while (factors_.size() < start.size()) { // the rest is numbered
     variables_.push_back({"state_" + std::to_string(factors_.size() + 1), "-", "STATEV of the UMAT"});
     factors_.push_back(1.0);
   }
@@ -24,7 +24,7 @@ UmatStates::UmatStates(const std::string& names, const std::vector<double>& star
   start_ = start;
   start_.resize(factors_.size(), 0.0);
   for (std::size_t s = 0; s < start_.size(); ++s) start_[s] /= factors_[s];
-  variables_.push_back({"umat_strain", "-", "STRAN, the total strain that turns with the material", 6});
+  variables_.push_back({"umat_strain", "-", "STRAN, the total strain that rotates with the material", 6});
   start_.resize(start_.size() + 6, 0.0);
 }
 
@@ -36,7 +36,7 @@ void UmatStates::declare(const std::string& given, double stress_unit) {
   const std::string kind = colon == std::string::npos ? "" : word.substr(colon + 1), label = word.substr(0, colon);
   const bool stress = kind == "stress";
   if (label.empty() || (!kind.empty() && !stress && kind != "strain"))
-    throw InputError("umat: state_names: '" + word + "' is no name; allowed: NAME, NAME:stress, NAME:strain");
+    throw InputError("umat: state_names: '" + word + "' is not a name; allowed: NAME, NAME:stress, NAME:strain");
   if (label == "void_ratio") void_ratio_ = static_cast<int>(factors_.size());
   const int components = kind.empty() ? 1 : 6;
   if (components == 6) tensors_.push_back({factors_.size(), stress ? 1 : 2});

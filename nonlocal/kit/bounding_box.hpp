@@ -1,4 +1,4 @@
-/// The box that holds points, or their ways since some moment.
+/// The bounding box of points, or of their displacements since some moment.
 #pragma once
 
 #include "core/base/columns.hpp"
@@ -9,10 +9,10 @@ namespace riedel {
 
 template <int Dim>
 struct BoundingBox {
-  Vec<Dim> lower, upper; ///< corners [m]; the upper one is infinite when a number in the box is none
+  Vec<Dim> lower, upper; ///< corners [m]; the upper one is infinite if any value is NaN
 };
 
-/// Of positions(a, p) − since(a, p), or of the positions alone when `since` is null; `boxes` is working space.
+/// Of positions(a, p) − since(a, p), or of the positions alone if `since` is null; `boxes` is working space.
 template <int Dim>
 BoundingBox<Dim> bounding_box(const Columns& positions, const Columns* since, std::vector<BoundingBox<Dim>>& boxes) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -24,7 +24,7 @@ BoundingBox<Dim> bounding_box(const Columns& positions, const Columns* since, st
       const auto add = [&](const Pack& offset) {
         lower = min(lower, offset);
         upper = max(upper, offset);
-        wrong += offset * Pack(0.0); // not a number when `offset` is none
+        wrong += offset * Pack(0.0); // NaN if `offset` is not finite
       };
       Index p = block.begin;
       for (; p + pack_size <= block.end; p += pack_size)

@@ -18,7 +18,7 @@ void require_finite(const Columns& positions) {
         throw RunError("point " + std::to_string(p) + " has no finite position; its neighbours cannot be searched for");
 }
 
-/// A little wider than the radius asks for, so that no rounding leaves a neighbour outside.
+/// Slightly larger than the radius requires, so that round-off excludes no neighbour.
 template <int Dim>
 Surroundings<Dim> RowMaker<Dim>::surroundings(Range points) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -36,13 +36,13 @@ Surroundings<Dim> RowMaker<Dim>::surroundings(Range points) const {
   return around;
 }
 
-/// Are the points within three radii? Beyond, most candidates would be far from most points.
+/// Whether the points are within three radii. Otherwise most candidates would be far from most points.
 template <int Dim>
 bool RowMaker<Dim>::is_compact(const Surroundings<Dim>& around) const {
   return (around.upper - around.lower).maxCoeff() <= 5.0 * radius_;
 }
 
-/// Keeps the candidates in the box, each once, rising, and fetches where they lie.
+/// Keeps the candidates in the box, once each, ascending, and loads their positions.
 template <int Dim>
 void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
   std::size_t kept = 0;
@@ -57,7 +57,7 @@ void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
   }
   list_.resize(kept);
   const std::size_t words = static_cast<std::size_t>(last - first) / 64 + 1;
-  if (words < 16 * kept) { // as a rule: much faster than sorting
+  if (words < 16 * kept) { // the usual case: much faster than sorting
     marks_.assign(words, 0);
     for (const Index q : list_) marks_[(q - first) / 64] |= std::uint64_t{1} << ((q - first) % 64);
     auto to = list_.begin();
@@ -76,8 +76,8 @@ void RowMaker<Dim>::put_in_order(const Surroundings<Dim>& around) {
   list_.resize(near_[0].size(), nobody);
 }
 
-/// Of the candidates keeps the neighbours of p. Packs may round a distance in their own way, so what lies on the radius
-/// to rounding is decided by the contract's sum, for every search by this one compiled function.
+/// Selects the neighbours of p from the candidates. Packs may round a distance differently, so candidates on the radius
+/// up to round-off are decided by the contract's sum, for every search by this one compiled function.
 template <int Dim>
 std::int64_t RowMaker<Dim>::keep_neighbours(Index p) {
   const double limit = square(radius_);

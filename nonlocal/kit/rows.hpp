@@ -1,4 +1,4 @@
-/// What all searches share: from candidates, found in whatever way, to the rows that the contract asks for.
+/// Common to all searches: makes the rows required by the contract from candidates, however they were found.
 #pragma once
 
 #include "core/base/parallel.hpp"
@@ -13,25 +13,25 @@ namespace riedel {
 template <int Dim>
 void require_finite(const Columns& positions);
 
-/// Where all neighbours of a few consecutive points lie: in this box, and in this ball.
+/// Region that contains all neighbours of a few consecutive points: the intersection of this box and this ball.
 template <int Dim>
 struct Surroundings {
   Vec<Dim> lower, upper; ///< corners of the box [m]
   Vec<Dim> centre;       ///< [m]
-  double reach;          ///< of the ball around the centre [m]
+  double reach;          ///< radius of the ball around the centre [m]
 };
 
-/// Makes the rows of one block. Consecutive points are near each other as a rule, so that their candidates are looked
-/// for once and put in order once.
+/// Makes the rows of one block. Consecutive points are usually near each other, so their candidates are searched for
+/// and sorted only once.
 template <int Dim>
 class RowMaker {
 public:
-  static constexpr Index group = 16; ///< consecutive points looked at together, at most
+  static constexpr Index group = 16; ///< maximum number of consecutive points processed together
 
   RowMaker(const Columns& positions, double radius) : positions_(positions), radius_(radius) {}
 
   /// Appends the rows of the points to `row_`, and their lengths to `lengths`.
-  /// @param candidates `candidates(surroundings, list)` appends every point in both of them and perhaps others
+  /// @param candidates `candidates(surroundings, list)` appends every point in both of them and possibly others
   template <class Candidates>
   void append(Range points, std::int64_t* lengths, const Candidates& candidates) {
     const Surroundings<Dim> around = surroundings(points);
@@ -57,11 +57,11 @@ private:
   double radius_;
   std::vector<Index> rows_;
   std::vector<Index> list_;                     ///< candidates
-  std::vector<std::uint64_t> marks_;            ///< a bit for each point between the first and the last candidate
+  std::vector<std::uint64_t> marks_;            ///< one bit per point between the first and the last candidate
   std::array<AlignedVector<double>, Dim> near_; ///< positions of the candidates, padded to whole packs [m]
 };
 
-/// `for_each_block` for a body that may throw, as for want of memory: one of what was thrown is thrown at the end.
+/// `for_each_block` for a body that may throw, as for lack of memory: one of the exceptions is rethrown at the end.
 template <class Body>
 void for_each_block_that_may_throw(Index points, const Body& body) {
   std::exception_ptr thrown;
@@ -76,7 +76,7 @@ void for_each_block_that_may_throw(Index points, const Body& body) {
   if (thrown) std::rethrow_exception(thrown);
 }
 
-/// Fills the rows, blocks of points at once; they do not depend on the number of threads.
+/// Fills the rows, several blocks of points at once; they do not depend on the number of threads.
 template <int Dim, class Candidates>
 void fill_rows(const Columns& positions, double radius, NeighbourRows& rows, const Candidates& candidates) {
   const Index points = positions.size();
@@ -88,7 +88,7 @@ void fill_rows(const Columns& positions, double radius, NeighbourRows& rows, con
     parts[block.begin / block_size] = maker.take();
   });
   std::partial_sum(rows.start.begin(), rows.start.end(), rows.start.begin());
-  rows.index.clear(); // or its memory might be doubled
+  rows.index.clear(); // otherwise its memory might be doubled
   rows.index.resize(static_cast<std::size_t>(rows.start.back()));
   for_each_block(points, [&](Range block) {
     std::ranges::copy(parts[block.begin / block_size], rows.index.begin() + rows.start[block.begin]);

@@ -1,15 +1,15 @@
-/// How much a neighbour counts, by its distance.
+/// Weight of a neighbour by its distance.
 #pragma once
 
 #include "core/base/pack.hpp"
 
 namespace riedel {
 
-/// ω(r) = exp(−(r/l_c)²), cut at r = 3 l_c, where it has fallen to 1.2e-4. Krzyżanowski et al. (2020), eq. (2), without
-/// its prefactor, which the average divides out.
+/// ω(r) = exp(−(r/l_c)²), cut off at r = 3 l_c, where it has fallen to 1.2e-4. Krzyżanowski et al. (2020), eq. (2),
+/// without its prefactor, which cancels in the average.
 class GaussWeight {
 public:
-  static constexpr double cut = 3.0; ///< where the weight ends, in l_c [-]
+  static constexpr double cut = 3.0; ///< distance at which the weight ends, in l_c [-]
 
   /// @param length l_c [m]
   explicit GaussWeight(double length) : per_square_(1.0 / square(length)) {}

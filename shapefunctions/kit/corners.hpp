@@ -1,5 +1,5 @@
-/// Stencils of domains whose corners are known: the hats are interpolated between the corners of a quadrilateral
-/// (hexahedron), so that each corner brings the nodes of its cell, with weights of its own.
+/// Stencils of domains with known corners: the hats are interpolated between the corners of a quadrilateral
+/// (hexahedron), so that each corner adds the nodes of its cell with its own weights.
 #pragma once
 
 #include "core/interface/shape_function.hpp"
@@ -15,11 +15,11 @@ constexpr int corner_sign(int corner, int axis) { return (corner >> axis) & 1 ? 
 template <int Dim>
 struct Corner {
   PackVector<Dim> place;
-  Pack weight;              ///< of a value at the corner in the mean over the domain
+  Pack weight;              ///< of the corner's value in the mean over the domain
   PackVector<Dim> gradient; ///< the same for the mean gradient
 };
 
-/// Factor that makes a vector no longer than `longest`.
+/// Factor that limits a vector's length to `longest`.
 template <int Dim>
 Pack shortening(const PackVector<Dim>& l, const Pack& longest) {
   Pack squared(0.0);
@@ -27,23 +27,23 @@ Pack shortening(const PackVector<Dim>& l, const Pack& longest) {
   return longest / max(sqrt(squared), longest);
 }
 
-/// Where the corners of eight domains lie.
+/// Extent of the corners of eight domains.
 struct Reach {
   Pack lowest, highest; ///< index along the last axis of the nodes
   Mask inside;          ///< whether all are on the grid
 };
 
-/// Weights of eight points for the nodes of a corner's cell, which are a patch: its weight times their hats.
+/// Weights of eight points for the nodes of a corner's cell, which form a patch: its weight times their hats.
 template <int Dim>
 void add_corner(const Grid<Dim>& grid, int number, const Corner<Dim>& corner, const StencilEntries<Dim>& entries,
                 Reach& reach) {
   constexpr int nodes = power(2, Dim);
-  PackVector<Dim> xi; // place in the corner's cell, 0 to 1
+  PackVector<Dim> xi; // position in the corner's cell, 0 to 1
   const Counts<Dim> strides = grid.strides();
   Pack base(0.0), row;
   for (int a = 0; a < Dim; ++a) {
     const Pack place = (corner.place[a] - Pack(grid.origin[a])) * Pack(1.0 / grid.cell[a]), lowest = floor(place);
-    const Mask fits = lowest >= Pack(0.0) && lowest <= Pack(grid.nodes[a] - 2); // false for NaN too
+    const Mask fits = lowest >= Pack(0.0) && lowest <= Pack(grid.nodes[a] - 2); // also false for NaN
     xi[a] = place - lowest;
     row = select(fits, lowest, Pack(0.0));
     base += row * Pack(strides[a]);
@@ -63,7 +63,7 @@ void add_corner(const Grid<Dim>& grid, int number, const Corner<Dim>& corner, co
 }
 
 /// Fills one group of eight points.
-/// @param corner (c) -> Corner c   @param sound lanes whose domains can be used
+/// @param corner (c) -> Corner c @param sound lanes with valid domains
 template <int Dim, class CornerOf>
 void fill_corners(const Grid<Dim>& grid, const CornerOf& corner, const Mask& sound, StencilGroup<Dim>& group) {
   const Counts<Dim> strides = grid.strides();

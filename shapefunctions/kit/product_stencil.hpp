@@ -1,4 +1,4 @@
-/// The stencil of a product over the axes: which nodes it has, in what order, and their weights.
+/// The stencil of a product over the axes: its nodes, their order, and their weights.
 #pragma once
 
 #include "core/state/stencils.hpp"
@@ -12,14 +12,14 @@ struct ValueGradient {
   Real gradient; ///< [1/m]
 };
 
-/// Patches of `Nodes` × `Nodes` nodes in the plane, or as many lines in space as a patch can have rows.
+/// Patches of `Nodes` × `Nodes` nodes in the plane, or as many lines in space as a patch may have rows.
 template <int Nodes, int Dim>
 constexpr PatchShape patch_of_product() {
   if constexpr (Nodes % 3 == 0) return {3, 3};
   return {Nodes == 2 ? power(Nodes, Dim - 1) : 2, Nodes};
 }
 
-/// Number of a product's entry: node i of a line along the first axis.
+/// Index of a product's entry: node i of a line along the first axis.
 template <int Nodes, int Dim>
 constexpr int entry_of(int line, int i) {
   constexpr PatchShape shape = patch_of_product<Nodes, Dim>();
@@ -28,7 +28,7 @@ constexpr int entry_of(int line, int i) {
   return patch * shape.entries() + line % shape.rows * shape.length + i % shape.length;
 }
 
-/// Numbers of the product's nodes.
+/// Indices of the product's nodes.
 /// @param base of the first node in each lane
 template <int Nodes, int Dim>
 void set_nodes(const Counts<Dim>& strides, const std::array<Index, pack_size>& base, StencilGroup<Dim>& group) {

@@ -1,4 +1,4 @@
-/// Makes a scheme from a function of one variable: N_ip = Π_a N(x_a − x_ia), ∇N by the product rule.
+/// Builds a scheme from a function of one variable: N_ip = Π_a N(x_a − x_ia), ∇N by the product rule.
 #pragma once
 
 #include "core/interface/shape_function.hpp"
@@ -11,15 +11,15 @@ struct AxisLanes {
   Pack position, half_width;
 };
 
-/// What a function of one variable needs besides the place.
+/// Inputs of a function of one variable, apart from the position.
 struct Axis {
   Pack h, per_h;  ///< cell size [m] and 1/h
   Pack l, per_2l; ///< half width of the points' domains [m] and 1/(2 l)
   Pack first;     ///< index along the axis of the first node
-  Walls walls;    ///< the grid's along the axis
+  Walls walls;    ///< of the grid along the axis
 };
 
-/// The factors of `Nodes` nodes in a row, from a function of the distance r [m] from a node.
+/// The factors of `Nodes` consecutive nodes, from a function of the distance r [m] from a node.
 template <int Nodes, class Function>
 std::array<ValueGradient<Pack>, Nodes> at_each_node(const Pack& s, const Axis& axis, const Function& function) {
   std::array<ValueGradient<Pack>, Nodes> factor;
@@ -27,11 +27,9 @@ std::array<ValueGradient<Pack>, Nodes> at_each_node(const Pack& s, const Axis& a
   return factor;
 }
 
-/// Fills one group of eight points. The nodes taken along an axis are the first `Nodes` that lie less than h + l from
-/// the point.
+/// Fills one group of eight points. Along an axis, the first `Nodes` nodes closer than h + l to the point are used.
 /// @param lanes position and half width along each axis
-/// @param function (s, axis) -> the factors of the nodes, s the place in cells beyond the first of them: l/h ≤ s < 1 +
-/// l/h
+/// @param function (s, axis) -> the factors of the nodes, s in cells beyond the first node: l/h ≤ s < 1 + l/h
 template <int Dim, int Nodes, class Function>
 void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>& lanes, StencilGroup<Dim>& group,
                          const Function& function) {
@@ -49,12 +47,12 @@ void fill_tensor_product(const Grid<Dim>& grid, const std::array<AxisLanes, Dim>
     // Node i is reached when x − l − h < i h < x + l + h, so the first one is ⌊(x − l)/h⌋.
     const Pack place = (lanes[a].position - Pack(grid.origin[a])) * axis.per_h;
     const Pack lowest = floor(place - axis.l * axis.per_h);
-    const Mask fits = lowest >= Pack(0.0) && lowest <= Pack(grid.nodes[a] - Nodes); // false for NaN too
+    const Mask fits = lowest >= Pack(0.0) && lowest <= Pack(grid.nodes[a] - Nodes); // also false for NaN
     inside = a == 0 ? fits : inside && fits;
     row = select(fits, lowest, Pack(0.0));
     base += row * Pack(strides[a]);
     axis.first = lowest;
-    // Compilers may round `place` twice; the bounds hold all the same.
+    // Compilers may round `place` twice; the bounds hold nevertheless.
     const Pack minimum = axis.l * axis.per_h;
     factor[a] = function(max(minimum, min(place - lowest, minimum + Pack(1.0 - 0x1p-53))), axis);
   }

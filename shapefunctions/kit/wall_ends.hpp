@@ -6,8 +6,8 @@
 
 namespace riedel {
 
-/// Places along one axis; a point on a wall is drawn an unnoticeable bit to this side of it, and one behind it is
-/// nowhere.
+/// Positions along one axis; a point on a wall is moved to this side of it by an insignificant amount, and one behind
+/// it becomes invalid.
 template <int Dim>
 Pack before_walls(const Grid<Dim>& grid, int axis, const Pack& x) {
   constexpr double on_wall = 1e-11, slack_in_cells = 1e-6;

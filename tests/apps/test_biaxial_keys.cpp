@@ -123,7 +123,7 @@ TEST(BiaxialCheck, TheImperfectionLiesInsideTheSpecimen) {
   EXPECT_THAT(errors({"imperfection.centre=[0.05, 0.5]"}),
               HasSubstr("--set imperfection.centre: the patch reaches from"));
   EXPECT_THAT(errors({"imperfection.size=[5 mm, 5 mm]"}),
-              HasSubstr("a number with a unit stands in quotes: \"5 mm\"")); // an unquoted unit in a list
+              HasSubstr("a number with a unit needs quotes: \"5 mm\"")); // an unquoted unit in a list
   EXPECT_THAT(errors({"imperfection.size=['5 mm', '200 mm']"}), HasSubstr("specimen's [0, 0.14] m (specimen.height)"));
   EXPECT_EQ(errors({"imperfection.centre=[0.0, 1.0]", "imperfection.size=[0.0, 0.0]"}), "no error");
 }

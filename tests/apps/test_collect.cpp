@@ -44,7 +44,7 @@ TEST_F(Collect, NoNameInARecordLeadsOutOfTheFolder) {
     for (const Words& words : {Words{"collect", out_.string()}, all({"--schemes", "gimp", "--force"})}) {
       const Outcome outcome = run(folder_, words);
       EXPECT_EQ(outcome.code, 2) << name;
-      EXPECT_THAT(outcome.err, HasSubstr("is no name of a run")) << name;
+      EXPECT_THAT(outcome.err, HasSubstr("is not a valid run name")) << name;
     }
     EXPECT_EQ(file_content(folder_ / "beside/summary.json"), "mine") << name;
   }
@@ -155,7 +155,7 @@ TEST_F(Collect, RefusesWhatIsNoCampaign) {
   folder_.file(
       "campaign.json",
       R"({"title":"","command":"","runs":[{"name":"../x","label":"","settings":{},"refused":"","work":1,"final_strain":1,"case":""}]})");
-  EXPECT_THAT(run(folder_, {"collect", folder_.path().string()}).err, HasSubstr("\"../x\" is no name of a run"));
+  EXPECT_THAT(run(folder_, {"collect", folder_.path().string()}).err, HasSubstr("\"../x\" is not a valid run name"));
 }
 
 } // namespace

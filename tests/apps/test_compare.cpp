@@ -128,7 +128,7 @@ TEST_F(Compare, SaysWhatIsWrongBeforeAnythingRuns) {
                  "--vary specimen.void_rato: unknown key (did you mean 'specimen.void_ratio'?)"},
            Wrong{{"--vary", "specimen.void_ratio="}, "expected KEY=A,B,C"},
            Wrong{{"--vary", "specimen.void_ratio=0.5,,0.6"}, "a value of the list is empty"},
-           Wrong{{"--vary", "specimen.void_ratio=0.55,0.55"}, "0.55 stands twice"},
+           Wrong{{"--vary", "specimen.void_ratio=0.55,0.55"}, "0.55 is given twice"},
            Wrong{{"--vary", "specimen.void_ratio=0.55", "--vary", "specimen.void_ratio=0.6"}, "is varied twice"},
            Wrong{{"--schemes", ""}, "empty"},
            Wrong{{"--schemes", "gimpo"}, "--schemes gimpo: unknown (did you mean 'gimp'?)"},
@@ -137,8 +137,7 @@ TEST_F(Compare, SaysWhatIsWrongBeforeAnythingRuns) {
            Wrong{{"--schemes", "gimp,foo"},
                  "--schemes gimp,foo: number 2 of the list, foo, is unknown; known: linear, "},
            Wrong{{}, "nothing to compare"},
-           Wrong{{"--vary", "specimen.void_ratio=0.2,0.3"},
-                 "not one of the runs can begin; the first, void_ratio=0.2: "},
+           Wrong{{"--vary", "specimen.void_ratio=0.2,0.3"}, "none of the runs can start; the first, void_ratio=0.2: "},
            Wrong{{"--schemes", "gimp", "--script", "pbs"}, "--script pbs: unknown"},
            Wrong{{"--schemes", "gimp", "--threads", "0"}, "--threads 0: allowed"},
        }) {
@@ -203,7 +202,7 @@ TEST_F(Compare, RefusesToTakeInARunOfTheSameNameAndAnotherCase) {
   const auto before = files_in(out_);
   const Outcome refused = compare({"--schemes", "gimp,linear", "--set", "specimen.void_ratio=0.6"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("its run scheme=gimp has another case"));
+  EXPECT_THAT(refused.err, HasSubstr("its run scheme=gimp has a different case"));
   EXPECT_EQ(files_in(out_), before);
 }
 

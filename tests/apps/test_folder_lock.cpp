@@ -64,7 +64,7 @@ TEST(FolderLock, GoesOnWithAWarningWhereTheFileSystemKnowsNoLocks) {
   testing::internal::CaptureStderr();
   { const FolderLock lock(here.path(), "riedel biaxial", no_locks); }
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
-              AllOf(HasSubstr("riedel: warning: " + here.path().string()), HasSubstr("knows no locks")));
+              AllOf(HasSubstr("riedel: warning: " + here.path().string()), HasSubstr("does not support locks")));
 }
 
 /// A run that lasts, started in `out_`.

@@ -26,7 +26,7 @@ protected:
 TEST_F(OddInput, ASettingThatIsTwoLinesOrAComment) {
   EXPECT_THAT(check("#a=\nfoo bar"), HasSubstr("--set #a="));
   EXPECT_THAT(check("#grid.cells=[1,1]"), HasSubstr("'#grid.cells' is not the name of a key"));
-  EXPECT_THAT(check("time.cfl=0.3 # careful"), HasSubstr("a comment is no part of a value"));
+  EXPECT_THAT(check("time.cfl=0.3 # careful"), HasSubstr("a value cannot contain a comment"));
   EXPECT_THAT(check("time.cfl=0.3\ngrid.cells=[1,1]"), HasSubstr("allowed: one key and its value"));
   EXPECT_THAT(check("specimen.width=1e99999999999 m"), HasSubstr("is too large or too small for a number"));
 }

@@ -68,7 +68,7 @@ TEST_F(Refusal, OfATransferThatTheSchemeDoesNotOfferNamesThoseThatDo) {
     EXPECT_THAT(
         refusal(command, {"scheme=linear", "time.transfer=apic"}),
         AllOf(StartsWith("riedel: error: --set time.transfer: \"apic\" is not offered by the scheme \"linear\""),
-              HasSubstr("which gives a point on a line of nodes no weight beside it; take one of gimp"),
+              HasSubstr("which gives a point on a line of nodes no weight beside that line; take one of gimp"),
               HasSubstr("or another transfer")));
 }
 

@@ -37,8 +37,8 @@ TEST(Variations, PartAtCommasOutsideOfBracketsAndQuotes) {
 
 TEST(Variations, WithBracketsThatDoNotMatchAreRefused) {
   EXPECT_EQ(error({"grid.cells=[16,56"}), "--vary grid.cells=[16,56: a ']' is missing");
-  EXPECT_EQ(error({"grid.cells=[16,56]],[1,2]"}), "--vary grid.cells=[16,56]],[1,2]: a ']' closes nothing");
-  EXPECT_THAT(error({"grid.cells=[16,{56]"}), HasSubstr("a ']' closes nothing"));
+  EXPECT_EQ(error({"grid.cells=[16,56]],[1,2]"}), "--vary grid.cells=[16,56]],[1,2]: a ']' has no opening bracket");
+  EXPECT_THAT(error({"grid.cells=[16,{56]"}), HasSubstr("a ']' has no opening bracket"));
   EXPECT_THAT(error({"a={b=1"}), HasSubstr("a '}' is missing"));
 }
 
@@ -50,14 +50,14 @@ TEST(Variations, WithoutAValueAreRefused) {
 }
 
 TEST(Variations, OfOneValueTwiceAreRefused) {
-  EXPECT_THAT(error({"a=1, 1"}), HasSubstr("1 stands twice"));
+  EXPECT_THAT(error({"a=1, 1"}), HasSubstr("1 is given twice"));
   EXPECT_THAT(error({"a=1", "a=2"}), HasSubstr("a is varied twice"));
   EXPECT_NO_THROW(refuse_same_cases({{"length=1mm", "length = 0.001"}, {"length=2mm", "length = 0.002"}}));
   EXPECT_THAT(
       [] {
         refuse_same_cases({{"length=1mm", "length = 0.001"}, {"length=0.001", "length = 0.001"}});
       },
-      testing::ThrowsMessage<InputError>("--vary: length=1mm and length=0.001 are the same case: a value stands "
+      testing::ThrowsMessage<InputError>("--vary: length=1mm and length=0.001 are the same case: a value is given "
                                          "twice, in two spellings"));
 }
 
@@ -92,7 +92,7 @@ TEST(Variations, GiveNoFolderANameThatIsTooLong) {
 TEST(Variations, AreNoPathsAndHoldNoSignsThatSteer) {
   EXPECT_THAT(names({"a=../../x"}), ElementsAre("a=.._.._x"));
   for (const char* value : {"x\ny", "\x1b[2J", "\xff"}) EXPECT_NE(error({std::string("a=1,") + value}), "no error");
-  EXPECT_THAT(error({"a=1 # one,2"}), HasSubstr("a comment is no part of a value"));
+  EXPECT_THAT(error({"a=1 # one,2"}), HasSubstr("a value cannot contain a comment"));
 }
 
 } // namespace

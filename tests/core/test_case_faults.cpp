@@ -52,7 +52,8 @@ TEST_F(CaseFiles, AQuotedNameWithADotIsAnotherKey) {
 TEST_F(CaseFiles, WhatIsNoTextIsToldWithItsPlace) {
   EXPECT_THAT(syntax_error(std::string_view("\xff\xfes\0", 4)), HasSubstr("is written in UTF-16"));
   EXPECT_THAT(syntax_error(std::string_view("a = 1\nb\0", 8)), HasSubstr("case.toml:2:2: not valid TOML: a byte that"));
-  EXPECT_THAT(syntax_error("a = 'é'\nb = '\xff'"), HasSubstr("case.toml:2:6: not valid TOML: a byte that is no UTF-8"));
+  EXPECT_THAT(syntax_error("a = 'é'\nb = '\xff'"),
+              HasSubstr("case.toml:2:6: not valid TOML: a byte that is not UTF-8"));
   EXPECT_THAT(syntax_error("a = '\xed\xa0\x80'"), HasSubstr("no UTF-8")); // half of a pair
   EXPECT_THAT(syntax_error(std::string(5 << 20, '#')), HasSubstr("larger than 4 MiB"));
   EXPECT_EQ(file("\xEF\xBB\xBFscheme = 'cpdi'\r\n").validate(keys()).text("scheme"), "cpdi");
@@ -78,7 +79,7 @@ TEST_F(CaseFiles, WhatTheReaderOfTomlTakesForGrantedIsRefusedWithItsPlace) {
 
 TEST_F(CaseFiles, ALetterBeyondAsciiStandsInQuotesOnly) {
   for (const char* text : {"é = 1", "[ŝx]", "a = é", "a.ö = 1", "a = {ü = 1}", "\u00a0a = 1"})
-    EXPECT_THAT(syntax_error(text), HasSubstr("a letter beyond ASCII, which stands in quotes only")) << text;
+    EXPECT_THAT(syntax_error(text), HasSubstr("a letter beyond ASCII, which is allowed only in quotes")) << text;
   for (const char* text : {"a = 0_'''x = é", "a = \"\\é\"", "a = \"\"\"\\é\"\"\""})
     EXPECT_THAT(syntax_error(text), HasSubstr(":1:")) << text;
   for (const char* text : {"a = 'é' # é 'ü", "a = \"\"\"é\"\"\"\"\nb = 'ü'", "a = '''é\n'ü'''''", "a = \"\\\"é\""})
@@ -87,14 +88,14 @@ TEST_F(CaseFiles, ALetterBeyondAsciiStandsInQuotesOnly) {
 
 TEST_F(CaseFiles, AWordWithoutQuotesIsToldToTakeThem) {
   EXPECT_THAT(syntax_error("[specimen]\nscheme = gimp # best\n"),
-              AllOf(StartsWith("case.toml:2:10: not valid TOML: "), HasSubstr("a text stands in quotes: \"gimp\"")));
-  EXPECT_THAT(syntax_error("scheme = false_friend\n"), HasSubstr("stands in quotes: \"false_friend\""));
+              AllOf(StartsWith("case.toml:2:10: not valid TOML: "), HasSubstr("a text needs quotes: \"gimp\"")));
+  EXPECT_THAT(syntax_error("scheme = false_friend\n"), HasSubstr("needs quotes: \"false_friend\""));
   EXPECT_THAT(syntax_error("schemes = [\"gimp\", cpdi]\n"), HasSubstr("case.toml:1:20: "));
-  EXPECT_THAT(syntax_error("schemes = [gimp, cpdi]\n"), HasSubstr("a text stands in quotes: \"gimp\""));
-  EXPECT_THAT(syntax_error("width = 1.5 mm\n"), HasSubstr("a number with a unit stands in quotes: \"1.5 mm\""));
-  EXPECT_THAT(syntax_error("width = 1.5mm\n"), HasSubstr("a number with a unit stands in quotes: \"1.5mm\""));
+  EXPECT_THAT(syntax_error("schemes = [gimp, cpdi]\n"), HasSubstr("a text needs quotes: \"gimp\""));
+  EXPECT_THAT(syntax_error("width = 1.5 mm\n"), HasSubstr("a number with a unit needs quotes: \"1.5 mm\""));
+  EXPECT_THAT(syntax_error("width = 1.5mm\n"), HasSubstr("a number with a unit needs quotes: \"1.5mm\""));
   EXPECT_THAT(syntax_error("width = 1,5\n"), HasSubstr("a point, not a comma"));
-  EXPECT_THAT(syntax_error("vtk = True\n"), HasSubstr("in small letters: true"));
+  EXPECT_THAT(syntax_error("vtk = True\n"), HasSubstr("in lower case: true"));
 }
 
 TEST_F(CaseFiles, CountsTheTablesOfAnArrayUpToTheFirstThatIsMissing) {

@@ -35,10 +35,10 @@ TEST_F(InputFiles, AreReadWholeWithEveryByte) {
 }
 
 TEST_F(InputFiles, ThatNeverEndAreRefused) {
-  expect_refused("/dev/zero", "is no regular file");
+  expect_refused("/dev/zero", "is not a regular file");
   const std::string pipe = (folder_ / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  expect_refused(pipe, "is no regular file"); // nobody writes into it: to open it would wait for ever
+  expect_refused(pipe, "is not a regular file"); // nobody writes into it: to open it would wait for ever
 }
 
 TEST_F(InputFiles, ThatAreTooLargeAreRefused) {

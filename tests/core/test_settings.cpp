@@ -36,23 +36,23 @@ TEST_F(CaseFiles, RefusesASettingThatIsNone) {
 TEST_F(CaseFiles, ASettingIsOneKeyOnOneLine) {
   for (const char* setting : {"#a=\nfoo bar", "a=1\nb=2", "a=1\r", "a=\x1b[31m", "grid.cells=[1,\n1]"})
     EXPECT_THAT(setting_error(setting), HasSubstr("a line break or another control character")) << setting;
-  EXPECT_THAT(setting_error("scheme=\xff"), HasSubstr("is no UTF-8"));
+  EXPECT_THAT(setting_error("scheme=\xff"), HasSubstr("is not UTF-8"));
 }
 
 TEST_F(CaseFiles, ASettingTakesNoComment) {
   for (const char* setting : {"specimen.width=1 # m", "grid.cells=[1,1] # few", "scheme='gimp'#x", "output.vtk=true #"})
-    EXPECT_THAT(setting_error(setting), HasSubstr("a comment is no part of a value")) << setting;
+    EXPECT_THAT(setting_error(setting), HasSubstr("a value cannot contain a comment")) << setting;
   EXPECT_EQ(with({"scheme='#1'"}).peek_text("scheme"), "#1");
   EXPECT_EQ(with({"scheme=sand #1"}).peek_text("scheme"), "sand #1"); // a text as it stands
 }
 
 TEST_F(CaseFiles, ASettingThatBeginsAsTomlHasToBeToml) {
-  EXPECT_THAT(setting_error("grid.cells=[1,1"), HasSubstr("the value is no TOML: "));
-  EXPECT_THAT(setting_error("scheme=\"gimp"), HasSubstr("the value is no TOML: "));
-  EXPECT_THAT(setting_error("specimen={width=1, width=2}"), HasSubstr("the value is no TOML: "));
+  EXPECT_THAT(setting_error("grid.cells=[1,1"), HasSubstr("the value is not TOML: "));
+  EXPECT_THAT(setting_error("scheme=\"gimp"), HasSubstr("the value is not TOML: "));
+  EXPECT_THAT(setting_error("specimen={width=1, width=2}"), HasSubstr("the value is not TOML: "));
   for (const char* number : {"99999999999999999999", "01", "1.", "1e400"})
     EXPECT_THAT(setting_error("specimen.width=" + std::string(number)),
-                testing::AnyOf(HasSubstr("the value is no TOML: "), HasSubstr("is not a finite number")))
+                testing::AnyOf(HasSubstr("the value is not TOML: "), HasSubstr("is not a finite number")))
         << number;
 }
 

@@ -69,7 +69,7 @@ TEST(Setup, GivesEveryPointTheStateThatIsAskedForOrTheLawsOwn) {
       },
       ThrowsMessage<InputError>(AllOf(HasSubstr("body 'sand'"), HasSubstr("its law declares "))));
   EXPECT_THAT([&] { (void)make_body<2>("sand", sand, grid, 1, [](const Vec<2>&) { return false; }); },
-              ThrowsMessage<InputError>(HasSubstr("its shape holds no point of the grid")));
+              ThrowsMessage<InputError>(HasSubstr("its shape contains no point of the grid")));
 }
 
 TEST(Setup, HoldsEverythingBehindAWall) {

@@ -51,7 +51,7 @@ TEST_F(Tables, TakesWhatASpreadsheetWrites) {
   const Table table = read("\xEF\xBB\xBF\"time_s\",u\r\n+1.5,2\r\n");
   EXPECT_THAT(table["time_s"], ElementsAre(1.5));
   EXPECT_THAT(error("a;b\n1,5;2\n"), HasSubstr("the row has 2 cells"));
-  EXPECT_THAT(error("a;b\n1;2\n"), HasSubstr("'1;2' in column a;b is not a number; a comma parts two cells"));
+  EXPECT_THAT(error("a;b\n1;2\n"), HasSubstr("'1;2' in column a;b is not a number; use commas between cells"));
 }
 
 TEST_F(Tables, TellsOfAFileThatIsNotThere) {

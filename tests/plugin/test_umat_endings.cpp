@@ -133,7 +133,7 @@ TEST(UmatCheck, EndsAUmatThatDoesNotComeBack) {
 TEST(UmatThatIsLimp, FailsTheRunThatHasNoTimeStepFromIt) {
   const TemporaryFolder folder;
   for (const auto& [name, told] :
-       {std::pair{"LIMP", "no speed of waves"}, {"BAD STIFFNESS", "DDSDDE that is not finite"}}) {
+       {std::pair{"LIMP", "no wave speed"}, {"BAD STIFFNESS", "DDSDDE that is not finite"}}) {
     const Outcome outcome =
         run(folder, biaxial(folder, joined(umat_named("endings", name, "[0]"), set({"material.state=[0]"}))));
     EXPECT_EQ(outcome.code, 3);

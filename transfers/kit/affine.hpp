@@ -1,6 +1,6 @@
-/// Affine transfers: a point carries the gradient of the velocity about it, so that its nodes get v_p + C_p (x_i −
-/// x_p). They differ in what they keep of the gradient, and in the rule by which points take their velocities. Their
-/// loops are in affine.ipp, to be included in one source file for each transfer.
+/// Affine transfers: a point carries the velocity gradient about it, so that its nodes receive v_p + C_p (x_i − x_p).
+/// They differ in what they store of the gradient, and in the rule by which points take their velocities. Their loops
+/// are in affine.ipp, to be included in one source file per transfer.
 #pragma once
 
 #include "core/base/pack_matrix.hpp"
@@ -9,15 +9,15 @@
 namespace riedel {
 
 /// (mv)_i = Σ_p N_ip m_p (v_p + C_p (x_i − x_p)).
-/// @tparam Gradient says what is kept of the gradient: `gather`, from the grid, and `gradient`, C_p from what is kept;
-/// see apic.hpp, tpic.hpp
+/// @tparam Gradient defines what is stored of the gradient: `gather`, from the grid, and `gradient`, C_p from what is
+/// stored; see apic.hpp, tpic.hpp
 /// @tparam Rule as for PointwiseTransfer
 template <int Dim, class Gradient, class Rule>
 class AffineTransfer : public VelocityTransfer<Dim> {
 public:
   explicit AffineTransfer(Rule rule = {}) : rule_(std::move(rule)) {}
 
-  /// What is kept of the gradient, row by row.
+  /// The stored gradient, row by row.
   [[nodiscard]] int point_data_size() const override { return Dim * Dim; }
   /// First moments of the stencils of eight points.
   [[nodiscard]] int thread_data_size(int max_nodes) const override { return max_nodes * Dim * pack_size; }

@@ -15,7 +15,7 @@ struct AffineSpace {
   AffineShares<Dim> affine;
 };
 
-/// The first sums of a step: mass and momentum, which are the values, or with both the forces as well.
+/// The first sums of a step: only mass and momentum, which are the values, or the forces in addition.
 template <Use use, class Gradient, int Dim>
 void sum_affine(State<Dim>& state, const Model<Dim>& model) {
   const auto add = [&](const Points<Dim>& points, const SlabGroup<Dim>& group, AffineSpace<Dim>& space) {
@@ -39,7 +39,7 @@ void sum_affine(State<Dim>& state, const Model<Dim>& model) {
   });
 }
 
-/// v_p and what is kept of its gradient for eight points, from the grid; they move, too.
+/// v_p and the stored gradient for eight points, from the grid; also moves them.
 template <class Gradient, int Dim, class Motion>
 void take_up_affine(const StencilGroup<Dim>& stencil, State<Dim>& state, Points<Dim>& points, Index p,
                     const Motion& motion, Gathered<Dim>& sum) {

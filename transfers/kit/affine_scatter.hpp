@@ -6,10 +6,10 @@
 
 namespace riedel {
 
-/// What each of eight points gives to a node: N times its mass and momentum, and N (x_i − x_p)_a times m_p C_p e_a.
+/// Contribution of eight points to a node: N times mass and momentum, and N (x_i − x_p)_a times m_p C_p e_a.
 template <int Dim>
 struct AffineShares {
-  Transpose8x4 mass; ///< rows of NodeSums::MassRecord, as are the others
+  Transpose8x4 mass; ///< rows of NodeSums::MassRecord, like the others
   std::array<Transpose8x4, Dim> gradient;
 
   /// m_p C_p e_a

@@ -1,4 +1,4 @@
-/// What APIC keeps of the gradient of the velocity: see transfers/apic.hpp.
+/// The gradient that APIC stores: see transfers/apic.hpp.
 #pragma once
 
 #include "core/base/pack_matrix.hpp"
@@ -6,8 +6,8 @@
 
 namespace riedel {
 
-/// A point keeps B_p = Σ_i N_ip v_i ⊗ (x_i − x_p) [m²/s], its share of the angular momentum, from the stencil that it
-/// took its velocity with, and gives its nodes the gradient C_p = B_p D_p⁻¹ with D_p of the stencil in force.
+/// A point stores B_p = Σ_i N_ip v_i ⊗ (x_i − x_p) [m²/s], its share of the angular momentum, from the stencil that
+/// gave it its velocity, and passes to its nodes the gradient C_p = B_p D_p⁻¹ with D_p of the present stencil.
 template <int Dim>
 struct ApicGradient {
   static constexpr bool keeps_gradient = false;
@@ -22,7 +22,7 @@ struct ApicGradient {
   /// C_p [1/s]
   static PackMatrix<Dim> gradient(const PackMatrix<Dim>& B, const PackMatrix<Dim>& D) {
     const PackMatrix<Dim> cofactors = cofactor(D);                              // D is symmetric
-    const Pack per_determinant = Pack(1.0) / max(determinant(D), Pack(1e-300)); // lanes that are lost or not in use
+    const Pack per_determinant = Pack(1.0) / max(determinant(D), Pack(1e-300)); // for lost or unused lanes
     PackMatrix<Dim> C;
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) {

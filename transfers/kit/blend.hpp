@@ -11,7 +11,7 @@ namespace riedel {
 template <int Dim>
 struct Blend {
   double flip = 0.98; ///< α [-]
-  /// λ [1/s]; if given, α = e^(−λ Δt), so that steps of any size damp alike.
+  /// λ [1/s]; if given, α = e^(−λ Δt), so that damping does not depend on the step size.
   std::optional<double> damping = {};
 
   [[nodiscard]] auto over(double dt) const {
@@ -22,7 +22,7 @@ struct Blend {
   }
 };
 
-/// v_p ← Σ N_ip v_i: PIC, for transfers that keep a gradient.
+/// v_p ← Σ N_ip v_i: PIC, for transfers that store a gradient.
 template <int Dim>
 struct TakeFromGrid {
   [[nodiscard]] auto over(double dt) const {

@@ -8,7 +8,7 @@ namespace riedel {
 
 template <int Dim>
 struct Moments {
-  StencilEntries<Dim> first; ///< the stencils with N_ip (x_i − x_p) in the place of ∇N_ip [m]
+  StencilEntries<Dim> first; ///< the stencils with N_ip (x_i − x_p) instead of ∇N_ip [m]
   PackMatrix<Dim> second;    ///< D_p = Σ_i N_ip (x_i − x_p) ⊗ (x_i − x_p) [m²]
 };
 
@@ -32,7 +32,7 @@ std::array<Pack, Dim> distances(const Grid<Dim>& grid, const Counts<Dim>& stride
 }
 
 /// @param stencils of eight points from p on
-/// @param room for the first moments: Dim times eight numbers for each entry
+/// @param room for the first moments: Dim times eight numbers per entry
 template <int Dim>
 Moments<Dim> moments_of(const StencilEntries<Dim>& stencils, const Grid<Dim>& grid, const Points<Dim>& points, Index p,
                         double* room) {

@@ -1,13 +1,13 @@
 /// Transfers without a gradient: a point gives its nodes N_ip m_p v_p, and takes its new velocity by a rule for eight
-/// points. Their loops are in pointwise.ipp, to be included in one source file for each transfer.
+/// points. Their loops are in pointwise.ipp, to be included in one source file per transfer.
 #pragma once
 
 #include "core/interface/velocity_transfer.hpp"
 
 namespace riedel {
 
-/// @tparam Rule has `over(dt)`, asked once for a pass, which gives a function from what eight points gather and from
-/// the points, p the first, to their NewMotion<Dim>: see blend.hpp
+/// @tparam Rule has `over(dt)`, called once per pass, which returns a function that maps the gathered values of eight
+/// points and the points, p the first, to their NewMotion<Dim>: see blend.hpp
 template <int Dim, class Rule>
 class PointwiseTransfer : public VelocityTransfer<Dim> {
 public:

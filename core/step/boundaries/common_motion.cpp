@@ -2,7 +2,7 @@
 
 namespace riedel {
 
-/// Where it is free, the one velocity that leaves the nodes' momentum along their motion as it is.
+/// If the velocity is free, it is the one that conserves the nodes' momentum along the motion.
 template <int Dim>
 double CommonMotion<Dim>::velocity_at(double time, const Nodes<Dim>& nodes) const {
   if (velocity_) return velocity_(time);
@@ -19,7 +19,7 @@ double CommonMotion<Dim>::velocity_at(double time, const Nodes<Dim>& nodes) cons
 template <int Dim>
 void CommonMotion<Dim>::apply(BoundaryStep<Dim>& step) {
   const double speed_before = this->report_.speed, speed = velocity_at(step.time, step.nodes);
-  double impulse = 0.0, all = 0.0; // the motion's, the material's
+  double impulse = 0.0, all = 0.0; // of the motion, of the material
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Index i = nodes_[k];
     NodeMotion<Dim>& motion = step.nodes.motion[i];

@@ -74,14 +74,14 @@ Vec<Dim> FrictionWall<Dim>::velocity(const FreeNode<Dim>& node) {
   Contact& contact = contact_[node.k];
   contact = Contact::none;
   if (given_.separates && u_n >= 0.0) return node.velocity;
-  u[axis] = 0.0; // the rest is slip, u_t
+  u[axis] = 0.0; // the remainder is the slip u_t
   const double slip = u.norm(), allowed = given_.coefficient * std::max(-u_n, 0.0);
   contact = slip > allowed ? Contact::sliding : Contact::sticking;
   if (contact == Contact::sticking) return wall;
   return wall + (1.0 - allowed / slip) * u;
 }
 
-/// Nodes in contact stay there, those that stick stick, and none moves into the wall.
+/// Nodes in contact stay in contact, sticking nodes keep sticking, and no node moves into the wall.
 template <int Dim>
 Vec<Dim> FrictionWall<Dim>::velocity_alone(const FreeNode<Dim>& node) const {
   const Vec<Dim> wall = motion(node.time);

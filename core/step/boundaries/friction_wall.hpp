@@ -11,15 +11,15 @@ template <int Dim>
 struct FrictionOnNodes {
   std::string name;
   NodeBox<Dim> place{};                  ///< nodes on the wall and behind it
-  double coefficient = 0.0;              ///< μ, as at rest so in motion [-]
+  double coefficient = 0.0;              ///< μ, static and kinetic [-]
   bool separates = true;                 ///< material may leave the wall
   VelocityCourse velocity{};             ///< of the wall [m/s]; none: it is at rest
-  Vec<Dim> direction = Vec<Dim>::Zero(); ///< of this velocity, of unit length
+  Vec<Dim> direction = Vec<Dim>::Zero(); ///< unit vector along this velocity
 };
 
-/// With u the velocity of a node relative to the wall, and n into the material: where u_n ≥ 0 a node that may separate
-/// is free. All others get the impulse m Δu_n = −m u_n, and against their slip one of −m u_t if that is not more than
-/// μ m Δu_n (they stick), otherwise of μ m Δu_n. A node is in contact as soon as its support holds material.
+/// With u the velocity of a node relative to the wall, and n into the material: if u_n ≥ 0, a node that may separate is
+/// free. All others get the impulse m Δu_n = −m u_n, and against their slip −m u_t if that does not exceed μ m Δu_n
+/// (they stick), otherwise μ m Δu_n. A node is in contact as soon as its support contains material.
 template <int Dim>
 class FrictionWall final : public Nodewise<FrictionWall<Dim>, Dim> {
 public:
@@ -40,7 +40,7 @@ private:
   enum class Contact : char { none, sliding, sticking };
 
   FrictionOnNodes<Dim> given_;
-  std::vector<Contact> contact_; ///< of each node since the last balance of momentum
+  std::vector<Contact> contact_; ///< of each node since the last momentum balance
 };
 
 } // namespace riedel

@@ -13,11 +13,11 @@ bool within_box(const Counts<Dim>& index, const Counts<Dim>& first, const Counts
   return inside;
 }
 
-/// Numbers of the nodes in a box, rising.
+/// Numbers of the nodes in a box, ascending.
 template <int Dim>
 std::vector<Index> nodes_in(const Grid<Dim>& grid, const NodeBox<Dim>& box);
 
-/// The wall that a box is which reaches from side to side and, across its axis, from a row of nodes to the grid's end.
+/// The wall formed by a box that reaches from side to side and, across its axis, from a row of nodes to the grid's end.
 template <int Dim>
 std::array<Walls, Dim> walls_of(const Grid<Dim>& grid, const NodeBox<Dim>& box);
 

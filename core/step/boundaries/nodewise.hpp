@@ -1,24 +1,24 @@
-/// What conditions share that treat every node by itself: a condition is the formula for one node, the library has the
-/// loop and keeps the accounts.
+/// Common base of conditions that treat every node separately: a condition provides the formula for one node, the
+/// library the loop and the energy balance.
 #pragma once
 
 #include "core/step/boundaries/node_box.hpp"
 
 namespace riedel {
 
-/// A node as the momentum balance leaves it.
+/// A node after the momentum balance, before the condition acts.
 template <int Dim>
 struct FreeNode {
-  std::size_t k = 0; ///< its number among the nodes of the condition
+  std::size_t k = 0; ///< its index among the nodes of the condition
   double mass = 0.0; ///< [kg or kg/m]
   Vec<Dim> velocity; ///< [m/s]
   double time, dt;   ///< end and length of the step [s]
 };
 
-/// `Law` has, beside what it overrides,
-///   Vec<Dim> velocity(const FreeNode<Dim>& node)       what the boundary makes of the node's velocity,
-///   Vec<Dim> velocity_alone(const FreeNode<Dim>& node) the same after a remap, without a force (dt and mass are not
-///   set), Vec<Dim> motion(double time) const                 the boundary's own velocity.
+/// `Law` provides, in addition to its overrides,
+///   Vec<Dim> velocity(const FreeNode<Dim>& node)       the node's velocity as the boundary changes it,
+///   Vec<Dim> velocity_alone(const FreeNode<Dim>& node) the same after a remap, without a force (dt, mass not set),
+///   Vec<Dim> motion(double time) const                 the boundary's velocity.
 template <class Law, int Dim>
 class Nodewise : public BoundaryCondition<Dim> {
 public:
@@ -29,7 +29,7 @@ public:
 
 protected:
   Nodewise(std::string name, const NodeBox<Dim>& place) : BoundaryCondition<Dim>(std::move(name)), place_(place) {}
-  /// Makes these the nodes.
+  /// Sets the nodes of the condition.
   void take(std::vector<Index> nodes) {
     this->nodes_ = std::move(nodes);
     before_.assign(this->nodes_.size(), Vec<Dim>::Zero());
@@ -41,7 +41,7 @@ protected:
 private:
   Law& law() { return static_cast<Law&>(*this); }
 
-  std::vector<Vec<Dim>> before_; ///< velocities that the last strains came from [m/s]
+  std::vector<Vec<Dim>> before_; ///< velocities from which the last strains were computed [m/s]
   bool first_ = true;            ///< there are no strains yet
 };
 
@@ -55,7 +55,7 @@ void Nodewise<Law, Dim>::remember(const Nodes<Dim>& nodes) {
   first_ = false;
 }
 
-/// Force and motion act together from the start of the step, with the velocity before, to its end.
+/// Force and motion act together from the start of the step, with the previous velocity, to its end.
 template <class Law, int Dim>
 void Nodewise<Law, Dim>::apply(BoundaryStep<Dim>& step) {
   Vec<Dim> total = Vec<Dim>::Zero();

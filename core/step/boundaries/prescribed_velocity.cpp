@@ -18,7 +18,7 @@ VelocityOnNodes<Dim> from_values(const std::string& name, const NodeBox<Dim>& pl
 template <int Dim>
 Keys PrescribedVelocity<Dim>::parameters() {
   Keys keys = velocity_keys();
-  keys.push_back({"free", false, "", {}, "the nodes move as one, by their momentum, whatever the velocity"});
+  keys.push_back({"free", false, "", {}, "the nodes move together, by their momentum; the velocity is ignored"});
   return keys;
 }
 
@@ -50,7 +50,7 @@ std::array<Walls, Dim> PrescribedVelocity<Dim>::walls(const Grid<Dim>& grid) con
   NodeBox<Dim> box{.first = given_.first, .last = given_.last, .axis = given_.axis};
   const auto& linear = given_.linear;
   if (!linear || linear->axis != box.axis) return walls_of(grid, box);
-  // A motion that grows across the rows: the fixed one and the moving one are walls, each with what lies beyond.
+  // A motion that grows across the rows: the fixed row and the moving row are walls, each with everything beyond it.
   box.first[box.axis] = 0;
   box.last[box.axis] = linear->fixed_row;
   std::array<Walls, Dim> walls = walls_of(grid, box);

@@ -1,5 +1,5 @@
 /// One velocity component imposed on a box of nodes: a fixed side, a driven platen, a single pinned node, or a platen
-/// that is free to move as one.
+/// that is free to move as a rigid body.
 #pragma once
 
 #include "core/step/boundaries/common_motion.hpp"
@@ -8,7 +8,7 @@
 
 namespace riedel {
 
-/// A motion that grows from node row to node row along `axis`: 0 in `fixed_row`, 1 in `moving_row`, and beyond, too.
+/// A motion that is linear in the node row along `axis`: 0 in `fixed_row`, 1 in `moving_row`, also beyond them.
 struct LinearMotion {
   int axis = 0;
   Index fixed_row = 0, moving_row = 1;
@@ -17,11 +17,11 @@ struct LinearMotion {
 template <int Dim>
 struct VelocityOnNodes {
   std::string name;
-  Counts<Dim> first{}, last{};                         ///< corners of the box of nodes, both included
+  Counts<Dim> first{}, last{};                         ///< corners of the box of nodes, inclusive
   int axis = 0;                                        ///< the component prescribed
-  VelocityCourse velocity{};                           ///< [m/s]; none: free, one motion for all nodes
+  VelocityCourse velocity{};                           ///< [m/s]; none: free, with one motion for all nodes
   std::optional<LinearMotion> linear{};                ///< the nodes' factors of the velocity; none: all move alike
-  std::optional<std::array<Counts<Dim>, 2>> but_for{}; ///< corners of a box of nodes inside that is left out
+  std::optional<std::array<Counts<Dim>, 2>> but_for{}; ///< corners of an inner box of nodes that is left out
 };
 
 template <int Dim>
@@ -34,7 +34,7 @@ public:
   PrescribedVelocity(const std::string& name, const NodeBox<Dim>& place, const Values& values);
 
   void bind(const Grid<Dim>& grid, const ShapeFunction<Dim>& scheme) override;
-  /// From the row on from which, to the grid's end, the velocity across it is prescribed from side to side.
+  /// The row from which on, up to the grid's end, the velocity across it is prescribed from side to side.
   [[nodiscard]] std::array<Walls, Dim> walls(const Grid<Dim>& grid) const override;
   [[nodiscard]] const VelocityOnNodes<Dim>& given() const { return given_; }
 

@@ -11,7 +11,7 @@ void drop_repeated(std::vector<Index>& nodes) {
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 }
 
-/// One in each cell, the first axis fastest.
+/// One point per cell, the first axis fastest.
 template <int Dim>
 void fill(Points<Dim>& points, const Grid<Dim>& grid, const NodeBox<Dim>& cells, const std::string& name) {
   Index all = 1;

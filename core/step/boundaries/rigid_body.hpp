@@ -1,5 +1,5 @@
-/// A rigid block of points that moves through the grid and imposes its velocity, along one direction, on every node its
-/// stencils touch: the paper's platen. Nodes enter and leave it by whole cells, so that its force shows a saw-tooth.
+/// A rigid block of points that moves through the grid and imposes its velocity, along one direction, on every node
+/// that its stencils touch: the paper's platen. Nodes enter and leave it in whole cells: its force is a saw-tooth.
 #pragma once
 
 #include "core/step/boundaries/common_motion.hpp"
@@ -21,11 +21,11 @@ public:
   static Keys parameters();
 
   explicit RigidBody(RigidPoints<Dim> given);
-  /// With a point in each of the cells between the nodes of the box.
+  /// Puts a point in each of the cells between the nodes of the box.
   RigidBody(const std::string& name, const NodeBox<Dim>& place, const Values& values);
 
   void bind(const Grid<Dim>& grid, const ShapeFunction<Dim>& scheme) override;
-  /// Finds the nodes that its points touch; throws RunError when one leaves the grid.
+  /// Finds the nodes that its points touch; throws RunError if one leaves the grid.
   void follow(const Grid<Dim>& grid, const ShapeFunction<Dim>& scheme) override;
   void move(double time, double dt) override;
   [[nodiscard]] const Points<Dim>* points() const override { return &points_; }

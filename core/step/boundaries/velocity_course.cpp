@@ -22,7 +22,7 @@ VelocityCourse tabled(std::vector<double> times, std::vector<double> velocities)
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] > times[i - 1]))
       throw InputError("times: " + exact_text(times[i]) + " s follows " + exact_text(times[i - 1]) +
-                       " s; allowed: times that rise");
+                       " s; allowed: ascending times");
   return [times = std::move(times), velocities = std::move(velocities)](double t) {
     const auto after = static_cast<std::size_t>(std::ranges::upper_bound(times, t) - times.begin());
     if (after == 0) return velocities.front();
@@ -34,7 +34,7 @@ VelocityCourse tabled(std::vector<double> times, std::vector<double> velocities)
 
 Keys velocity_keys() {
   Keys keys{{"velocity", std::vector<double>{0.0}, "m/s", {}, "along the axis; one, or one for each of `times`"},
-            {"times", std::vector<double>{}, "s", {}, "of the velocities, which are linear between them"},
+            {"times", std::vector<double>{}, "s", {}, "of the velocities, which are interpolated linearly"},
             {"ramp_time", 0.0, "s", at_least(0.0), "a single velocity is reached smoothly in this time"}};
   keys[0].any_length = keys[1].any_length = true;
   return keys;

@@ -1,4 +1,4 @@
-/// How fast a boundary moves, as time goes on.
+/// Velocity of a boundary over time.
 #pragma once
 
 #include "core/base/parameters.hpp"
@@ -7,14 +7,14 @@
 
 namespace riedel {
 
-/// [m/s], by time [s]
+/// Velocity [m/s] as a function of time [s].
 using VelocityCourse = std::function<double(double time)>;
 
 /// @return speed ramped smoothly from zero to `speed` over `ramp_time`
 VelocityCourse ramped(double speed, double ramp_time);
 
-/// @return velocities that are linear between the given times, and those of the first and the last outside
-/// @throws InputError unless times rise and there is a velocity for each
+/// @return velocities interpolated linearly between the given times, and constant before the first and after the last
+/// @throws InputError unless times are ascending and there is one velocity for each
 VelocityCourse tabled(std::vector<double> times, std::vector<double> velocities);
 
 /// `velocity`, `times` and `ramp_time`: a velocity that may be ramped, or a table.

@@ -1,4 +1,4 @@
-/// The inner loop from grid to points: what eight points gather over the nodes of their stencils.
+/// The inner loop from grid to points: gathers over the nodes of eight points' stencils.
 #pragma once
 
 #include "core/step/kernels/stencil_walk.hpp"
@@ -46,7 +46,7 @@ struct GatheredLane {
   }
 };
 
-/// Fills what `use` asks for.
+/// Computes what `use` requests.
 template <Use use, int Dim>
 void gather(const StencilEntries<Dim>& stencil, const AlignedVector<NodeMotion<Dim>>& nodes, Gathered<Dim>& sum) {
   const StencilEntries<Dim> entries = stencil;

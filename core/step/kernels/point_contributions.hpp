@@ -1,4 +1,4 @@
-/// What eight points have to give to the grid.
+/// Contributions of eight points to the grid.
 #pragma once
 
 #include "core/base/tensor.hpp"
@@ -32,7 +32,7 @@ void internal_forces(const Points<Dim>& points, Index p, double pressure, PointC
   contributions.force.put(force);
 }
 
-/// m_p v of eight points, without m_p, for nodes that have their masses already.
+/// m_p v of eight points, without m_p, for nodes whose masses are already known.
 template <int Dim>
 std::array<Pack, 4> momenta(const Points<Dim>& points, Index p, const std::array<Pack, Dim>& velocity) {
   const Pack m = Pack::load(points.mass[0] + p);
@@ -47,8 +47,8 @@ void clear_momentum(Nodes<Dim>& nodes) {
   parallel_for(nodes.size(), [&](Index i) { nodes.sums[i].momentum.setZero(); });
 }
 
-/// Adds what `fill(points, p, contributions)` says that eight points give. @return whether no point strayed from its
-/// slab
+/// Adds the contributions of eight points at a time, from `fill(points, p, contributions)`.
+/// @return whether all points kept to their slab
 template <Use use, int Dim, class Fill>
 bool add_contributions(State<Dim>& state, const Model<Dim>& model, Body<Dim>& body, const Fill& fill) {
   return add_in_slab_order<PointContributions<Dim>>(
@@ -58,7 +58,7 @@ bool add_contributions(State<Dim>& state, const Model<Dim>& model, Body<Dim>& bo
       });
 }
 
-/// The lanes of a group that belong to its slab; the others are another thread's.
+/// Stores the lanes of a group that belong to its slab; the others belong to another thread.
 inline void store_lanes(double* column, const Pack& values, Range lanes) {
   if (lanes.size() == pack_size) return values.store(column);
   std::array<double, pack_size> lane;
@@ -66,7 +66,7 @@ inline void store_lanes(double* column, const Pack& values, Range lanes) {
   std::copy(lane.begin() + lanes.begin, lane.begin() + lanes.end, column + lanes.begin);
 }
 
-/// v_p, and the displacement that the points of a slab have yet to make.
+/// Stores v_p, and the postponed displacement of a slab's points.
 template <int Dim>
 void keep(const NewMotion<Dim>& motion, Body<Dim>& body, const SlabGroup<Dim>& group) {
   for (int a = 0; a < Dim; ++a) {

@@ -1,5 +1,4 @@
-/// How eight points take up the motion of the grid. Columns are padded to whole packs, so lanes past the last point do
-/// no harm.
+/// Update of eight points from the motion of the grid. Columns are padded to whole packs, so extra lanes are harmless.
 #pragma once
 
 #include "core/base/pack_matrix.hpp"
@@ -65,7 +64,7 @@ void strain(const std::type_identity_t<PackMatrix<Dim>>& L, Points<Dim>& points,
   (Pack::load(shear) + Pack(dt) * sqrt(deviatoric + deviatoric)).store(shear);
 }
 
-/// L_p with what the stress filter adds to its trace. The third axis of plane strain takes no part in that.
+/// Adds the stress filter's term to the trace of L_p. The third axis of plane strain is left out.
 template <int Dim>
 void add_expansion(const Points<Dim>& points, Index p, const StressFilter& filter, PackMatrix<Dim>& L) {
   if (points.expansion.components() == 0) return;
@@ -74,7 +73,7 @@ void add_expansion(const Points<Dim>& points, Index p, const StressFilter& filte
   for (int i = 0; i < axes; ++i) L[i][i] += share;
 }
 
-/// L_p = Σ_i v_i ⊗ ∇N_ip, and the strains with it, unless the locking cure is to change L_p first.
+/// L_p = Σ_i v_i ⊗ ∇N_ip, and the strains from it, unless the locking remedy still changes L_p.
 template <int Dim>
 void deform(const Gathered<Dim>& sum, Points<Dim>& points, Index p, const Model<Dim>& model, double dt) {
   PackMatrix<Dim> L;

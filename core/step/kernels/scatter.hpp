@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// What each of eight points gives to a node: N times its mass and momentum, and ∂N/∂x_a times a force.
+/// Contribution of each of eight points to a node: N times its mass and momentum, and ∂N/∂x_a times a force.
 template <int Dim>
 struct PointContributions {
   Transpose8x4 mass; ///< rows of NodeSums::MassRecord

@@ -1,4 +1,4 @@
-/// How both transfers walk over stencils, and the rows of numbers that they carry to and fro.
+/// Loops over stencils in both directions of the transfer, and the rows of numbers that they carry.
 #pragma once
 
 #include "core/base/transpose_8x4.hpp"
@@ -7,7 +7,7 @@
 
 namespace riedel {
 
-/// What of a stencil a transfer uses.
+/// The parts of a stencil that a transfer uses.
 enum class Use { weights, gradients, both };
 
 /// Calls `body` with the shape of the stencil's patches as a constant.
@@ -21,7 +21,7 @@ void with_shape(const PatchShape& shape, const Body& body) {
   }
 }
 
-/// A lane of a patch. Walks by steps, so that all its weights lie at constant distances from where it stands.
+/// A lane of a patch. Advances by steps, so that all its weights are at constant offsets from its position.
 template <std::size_t ShapeNumber, int Dim>
 struct PatchLane {
   static constexpr PatchShape shape = patch_shapes[ShapeNumber];
@@ -53,7 +53,7 @@ struct PatchLane {
   }
 };
 
-/// Eight rows for vectors along axes: in the plane two vectors fill a row, in space one does.
+/// Eight rows for vectors along axes: in the plane two vectors fill a row, in space one.
 template <int Dim>
 struct GradientRows {
   static constexpr int lanes = sizeof(VectorLanes<Dim>) / sizeof(double), in_row = 4 / lanes;
