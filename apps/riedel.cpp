@@ -22,7 +22,7 @@ int print(const std::string& text) {
   return 0;
 }
 
-/// What stands before any command: a question to the program itself.
+/// Answers an option given before any command, which concerns the program itself.
 int answer(const std::vector<std::string>& words) {
   const std::string& first = words.front();
   if (first == "--man") return print(manual_page(commands(), day_of_build()));
