@@ -35,7 +35,7 @@ TEST_F(Refusal, OfPressureOnPointsUnderCubicSplinesTellsWhatIsLeftAndWhatToTake)
   EXPECT_THAT(
       refusal({"biaxial"}, {"scheme=bspline3", "loading.lateral=points"}),
       AllOf(StartsWith("riedel: error: --set loading.lateral: \"points\" starts out of balance under the scheme "
-                       "\"bspline3\" with 1 per cell and direction: at the sides nodes keep 28.1"),
+                       "\"bspline3\" with 1 per cell and direction: nodes at the sides retain 28.1"),
             HasSubstr("take \"virtual_stress\", exact for every scheme, or one of the schemes linear, gimp, "
                       "cpgimp, cpdi, cpdi2, ddmp"),
             HasSubstr("bspline2\n")));

@@ -76,14 +76,14 @@ TEST(VoidRatioField, IsRefusedWhereALawCouldNotFollow) {
               AllOf(HasSubstr("imperfection.deviation"), HasSubstr("the random field gives the point at ("),
                     HasSubstr("is out of range; the law allows (0.4959, 1.264]")));
   EXPECT_THAT(refusal({"imperfection.deviation=0.01", "material.model=linear_elastic", "nonlocal.length=0"}),
-              HasSubstr("\"linear_elastic\" knows no void ratio"));
+              HasSubstr("\"linear_elastic\" has no void ratio"));
   EXPECT_THAT(refusal({"imperfection.correlation_length=0"}), HasSubstr("imperfection.correlation_length"));
 }
 
 TEST(TurnedSpecimen, IsRefusedWhereTheGridMustStandUpright) {
   EXPECT_THAT(
       refusal({"specimen.rotation=10"}),
-      AllOf(HasSubstr("loading.platen"), HasSubstr("\"moving_grid\" does not go with a specimen turned by 10")));
+      AllOf(HasSubstr("loading.platen"), HasSubstr("\"moving_grid\" does not go with a specimen rotated by 10")));
   EXPECT_THAT(refusal({"specimen.rotation=10", "loading.platen=rigid_points", "loading.lateral=points"}),
               HasSubstr("take \"virtual_stress\""));
   EXPECT_THAT(refusal({"specimen.rotation=10", "loading.platen=rigid_points", "grid.dimensions=3"}),
