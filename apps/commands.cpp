@@ -86,9 +86,9 @@ Options compare_options() {
 
 std::string compare_help(const Arguments&) {
   return R"(Every combination is a run in its own folder, of the biaxial test or of the element test that the case names
-(test = "triaxial"). The row of a run that fails or cannot begin says so. A campaign that was stopped or killed continues
-when the same command is given again. results.csv has a row for each run, with every value of its summary.json;
-report.html shows curves, fields and tables in a browser.
+(test = "triaxial"). The row of a run that fails or cannot begin says so. A campaign that was stopped or killed
+continues when the same command is given again. results.csv has a row for each run, with every value of its
+summary.json; report.html shows curves, fields and tables in a browser.
 
 A case file can state what is varied, and still be run as a single case:
 
@@ -131,8 +131,8 @@ std::string reproduce_help(const Arguments&) {
   return R"(The paper is Krzyżanowski, Wójcik and Tejchman (2020). Figures 2 to 5 are element tests at one point; 7 to 10 are runs
 of the biaxial test, several at once: three meshes with two time steps each, seven characteristic lengths, three void
 ratios. All are run once as in the paper, and once with the stress filter and slowly enough for the behaviour after the
-peak, which takes nine tenths of the time. report.html compares every statement of the paper's text with both results and
-with theory. A command that was stopped or killed continues when it is given again.
+peak, which takes nine tenths of the time. report.html compares every statement of the paper's text with both results
+and with theory. A command that was stopped or killed continues when it is given again.
 
 Examples
   riedel reproduce
