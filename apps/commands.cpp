@@ -80,7 +80,7 @@ Options compare_options() {
   options.push_back({"dry-run", "", "list the runs, with their shares of the work, and start none"});
   options.push_back({"script", "KIND", "start none, but write a script to run them elsewhere: slurm or parallel", false,
                      script_kinds()});
-  options.push_back({"force", "", "remove the campaign that the folder holds, with its runs"});
+  options.push_back({"force", "", "remove the campaign in the folder, with its runs"});
   return options;
 }
 
@@ -123,7 +123,7 @@ Options reproduce_options() {
   options.push_back({"threads", "N", "for all runs together; default: all of the machine"});
   options.push_back(
       {"document", "FILE.md", "put the verdicts between <!-- riedel reproduce --> and <!-- riedel reproduce ends -->"});
-  options.push_back({"force", "", "remove the runs that the folder holds, and start anew"});
+  options.push_back({"force", "", "remove the runs in the folder, and start again"});
   return options;
 }
 

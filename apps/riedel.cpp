@@ -1,4 +1,4 @@
-/// riedel: the program. Finds the sub-command, runs it and turns what went wrong into an exit code.
+/// riedel: the program. Finds the sub-command, runs it and converts errors into exit codes.
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/completion.hpp"
