@@ -1,4 +1,4 @@
-/// `riedel element` as a user meets it.
+/// `riedel element` as a user runs it.
 #include "apps/program.hpp"
 #include "core/io/table.hpp"
 #include "core/png_pixels.hpp"
@@ -36,7 +36,8 @@ protected:
   TemporaryFolder folder_;
 };
 
-/// A reference curve read off ours by straight lines between rows, at every strain of the reference but the first.
+/// Compares a reference curve with the computed one, interpolated linearly between rows at every strain of the
+/// reference but the first.
 void expect_on(const riedel::Table& ours, const std::string& strain, const Table& wanted,
                const std::string& wanted_strain, const std::string& wanted_angle) {
   const auto& x = wanted.at(wanted_strain);

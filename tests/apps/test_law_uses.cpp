@@ -1,5 +1,5 @@
-/// A case says what its law makes of it: no length that nothing averages, no patch of void ratios that nothing knows,
-/// and no key that nothing looks at.
+/// A case reports what its law can use: no length without an average, no patch of void ratios for a law without one,
+/// and no key without effect.
 #include "apps/biaxial/law_uses.hpp"
 #include "apps/program.hpp"
 #include "core/case/case_text.hpp"
@@ -106,7 +106,7 @@ TEST(LawUses, KeysOfVoidRatiosMeanNothingToALawWithoutOne) {
   }
 }
 
-/// A UMAT says itself what it takes.
+/// For a UMAT its keys state what it uses.
 TEST(LawUses, OfAUmatAreWhatItsKeysSay) {
   const auto uses = [](std::initializer_list<std::pair<const char*, Value>> settings) {
     Values values(biaxial_keys(catalogue(), "umat"));
@@ -174,7 +174,7 @@ TEST(LawUses, ThePicturesTitleAndTheChecksAnswerAreLocalToo) {
   EXPECT_THAT(file_content(folder / "out" / "history.svg"), Not(HasSubstr("l_c")));
 }
 
-/// A Mohr-Coulomb specimen with a weak patch yields there first, and is told by one body with all its points.
+/// A Mohr-Coulomb specimen with a weak patch yields there first, and is a single body with all its points.
 TEST(WeakZone, LowersTheStrengthInThePatchAlone) {
   const auto plastic_strain = [](const std::string& factor) {
     const BiaxialCase v = biaxial_values({"material.model=mohr_coulomb", "grid.cells=[8,28]", "loading.speed=0.5",
@@ -198,7 +198,7 @@ TEST(WeakZone, LowersTheStrengthInThePatchAlone) {
   EXPECT_EQ(sound, 0.0);
 }
 
-/// Points of both kinds, mixed: each does what its own law does alone, to the bit.
+/// Points of both kinds, mixed: each behaves exactly as under its own law alone.
 TEST(WeakZone, GivesEveryPointItsOwnLaw) {
   const Keys keys = catalogue().materials.find("mohr_coulomb").description.parameters;
   const Values sound(keys), weak = weakened(sound, 0.5);

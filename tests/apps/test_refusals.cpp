@@ -1,5 +1,5 @@
-/// What cannot be run is refused before the run, through the real program: with the key, the reason and what to take
-/// instead, and without a trace in the output folder.
+/// What cannot be run is refused before the run, through the real program: with the key, the reason and alternatives,
+/// and without writing to the output folder.
 #include "apps/program.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using testing::StartsWith;
 
 class Refusal : public testing::Test {
 protected:
-  /// Of `command` with settings; must end with 2, and leave nothing. @return what it says
+  /// The message of `command` with settings, which must end with 2 and write nothing.
   std::string refusal(Words words, const Words& settings) const {
     const std::filesystem::path out = folder_ / "out";
     words.insert(words.end(), {"--out", out.string()});

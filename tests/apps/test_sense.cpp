@@ -1,4 +1,4 @@
-/// Numbers that are allowed and make no sense: a forgotten unit is told before a run is wasted on it.
+/// Numbers that are allowed but make no sense: a forgotten unit is reported before a run is wasted on it.
 #include "apps/biaxial/patch.hpp"
 #include "apps/biaxial/random_field_check.hpp"
 #include "apps/biaxial/sense.hpp"
@@ -155,7 +155,7 @@ double min_void_ratio(const BiaxialCase& v) {
   return minimum;
 }
 
-/// The deviation at which a point just leaves the limits is the same by looking at every point and by looking at few.
+/// The deviation at which a point just leaves the limits is the same whether all points are checked or few.
 TEST(RandomField, IsRefusedFromTheDeviationOnAtWhichItsFirstPointLeavesTheLimits) {
   for (const std::string length : {"2e-2", "5e-3"}) {
     const std::vector<std::string> with{"grid.cells=[48,168]", "imperfection.size=[0,0]", "nonlocal.length=0",

@@ -1,4 +1,4 @@
-/// Random void ratios, and a specimen that is turned in its grid: what the case makes of both.
+/// Random void ratios, and a specimen that is rotated in its grid.
 #include "apps/biaxial/band.hpp"
 #include "apps/biaxial/patch.hpp"
 #include "core/io/snapshot.hpp"
@@ -20,7 +20,8 @@ VoidRatioField with_field(int seed) {
   return random_field(values);
 }
 
-/// Over many fields at one place: mean, deviation, and the correlation with a place r away, along x, y or askew.
+/// Over many fields at one place: mean, deviation, and the correlation with a place at a distance r, along x, y or
+/// obliquely.
 TEST(VoidRatioField, HasTheMeanDeviationAndCorrelationOfItsKeys) {
   constexpr int fields = 400;
   const double length = 5e-3;
@@ -90,7 +91,7 @@ TEST(TurnedSpecimen, IsRefusedWhereTheGridMustStandUpright) {
               HasSubstr("grid.dimensions"));
 }
 
-/// A band at 55° drawn on the points, told in the specimen's own axes.
+/// An artificial band at 55°, reported in the specimen's own axes.
 TEST(TurnedSpecimen, HasItsBandMeasuredInItsOwnAxes) {
   const BiaxialCase values = biaxial_values({"specimen.rotation=22.5", "loading.platen=rigid_points"});
   Frame frame = snapshot(make_biaxial(values, catalogue()));
