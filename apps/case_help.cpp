@@ -19,7 +19,7 @@ std::string help_of(const RunKind& kind, const CaseFile& given) {
 }
 
 std::string list_of_tests() {
-  std::string text = "Tests, with the keys that are their own\n";
+  std::string text = "Tests, with their own keys\n";
   for (const std::string& test : element_tests()) {
     Keys keys = element_keys(full_catalogue(), test, paper_model);
     std::erase_if(
@@ -58,9 +58,9 @@ std::string umat_check_help(const Arguments& arguments) {
   const CaseFile given = arguments.case_file(1);
   refuse_unknown_names(given, umat_check_keys());
   return R"(The UMAT is called through the law "umat", with parameters and state as a case would give them; check.stress and
-check.strain are the start, in Pa, and the increment (11, 22, 33, 12, 13, 23; engineering shear). Exit code 3 if its
-stress or a declared state depends on the frame, if it does nothing, or if it fails. CASE.toml may be the case of a run:
-what it says of anything but the law is left out.
+check.strain are the initial stress, in Pa, and the strain increment (11, 22, 33, 12, 13, 23; engineering shear). The
+exit code is 3 if the stress or a declared state depends on the frame, if the UMAT does nothing, or if it fails.
+CASE.toml may be the case of a run: only its keys of the law are used.
 
 Example
   riedel umat-check build/mine.so --set material.parameters=[1e8,0.3] --set check.stress=[0,0,0,0,0,0]

@@ -21,7 +21,7 @@ std::vector<std::string> taken_by(const Keys& keys, const std::vector<Finding>& 
   return names;
 }
 
-/// Puts one finding in the place of those about keys that another command takes.
+/// Replaces the findings about keys that another command takes by a single one.
 void tell_other(std::vector<Finding>& errors, const std::vector<std::string>& names, const std::string& command,
                 const std::string& other) {
   std::erase_if(errors, [&](const Finding& error) {

@@ -12,20 +12,20 @@ namespace riedel {
 
 namespace {
 
-/// Of what a run would be refused for, or warn of, when it begins.
+/// Warns of what a run would be refused for, or would warn of, when it begins.
 void warn_of_run(const CaseKind& kind, const CaseFile& given, const Values& values, const Catalogue& catalogue) {
   for (const Finding& doubt : kind.doubts(values, catalogue)) print_warning(given.lines({doubt}));
   const double need = kind.expect(values, catalogue).memory;
   const MemoryThere there = memory_there();
   if (need > there.bytes)
-    print_warning("a run needs about " + bytes_text(need) + " of memory, and here " + there.by + " " +
+    print_warning("a run needs about " + bytes_text(need) + " of memory, but " + there.by + " " +
                   bytes_text(there.bytes));
 }
 
 } // namespace
 
-/// `riedel check`: all errors at once, or the case with every key in force and, as comments, what a run of it will
-/// take. What it prints is a case itself. A case that names a test is one of `riedel element`.
+/// `riedel check`: reports all errors at once, or prints the case with every key in force and, as comments, the cost of
+/// a run. The output is itself a case. A case that names a test is one of `riedel element`.
 int check(const Arguments& arguments) {
   const CaseFile given = arguments.case_file().without("compare"); // of a study, the case that it varies
   const Catalogue catalogue = load_catalogue(given).catalogue;

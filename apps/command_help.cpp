@@ -21,7 +21,7 @@ std::string line(const Option& option) {
   return "  " + padded(names + (option.value.empty() ? "" : " " + option.value), 22) + option.doc + "\n";
 }
 
-/// The command that a case is for, when one stands where a command should.
+/// Names the command for a case file that was given in place of a command.
 std::string taker_of(const std::string& path) {
   const auto test = test_of(CaseFile::read(path));
   return "'" + path + "' is a file, not a command; 'riedel " + (test ? "element " + *test : "biaxial") + " " + path +
@@ -84,11 +84,11 @@ const std::vector<Meaning>& exit_codes() {
 
 const std::vector<Meaning>& environment_variables() {
   static const std::vector<Meaning> all{
-      {"OMP_NUM_THREADS", "threads where --threads is not given"},
+      {"OMP_NUM_THREADS", "number of threads if --threads is not given"},
       {"RIEDEL_PLUGIN_PATH", "folders, separated by colons, from which all plug-ins (*.so) are loaded"},
-      {"RIEDEL_PLUGIN_TIMEOUT", "seconds that a plug-in or a UMAT may take to be loaded; 10 when it is not set"},
-      {"NO_COLOR", "messages without colour, whatever its value"},
-      {"TMPDIR", "folder for the copies of a UMAT that threads work with; /tmp when it is not set"}};
+      {"RIEDEL_PLUGIN_TIMEOUT", "seconds that loading a plug-in or a UMAT may take; default: 10"},
+      {"NO_COLOR", "if set to any value, messages have no colour"},
+      {"TMPDIR", "folder for the copies of a UMAT that the threads use; default: /tmp"}};
   return all;
 }
 
@@ -97,23 +97,23 @@ const std::vector<Meaning>& result_files() {
       {"case.toml", "every key in force: running it again gives the same bits"},
       {"history.csv", "of riedel biaxial: a row per output, with angle, force and energies against u/h0"},
       {"element.csv", "of riedel element: a row per output, with strains, stresses, void ratio and angle"},
-      {"summary.json", "figures of the whole run; docs/howto/read_results.md explains every one"},
+      {"summary.json", "results of the whole run; docs/howto/read_results.md explains each of them"},
       {"points.pvd, domains.pvd",
        "all fields in time, for ParaView; the files of the frames are in points and domains"},
       {"*.png", "history, void ratio and shear strain; the curves of an element test"},
       {"results.csv, report.html",
-       "of riedel compare and riedel reproduce: a row for each run, and all of it on one page"}};
+       "of riedel compare and riedel reproduce: a row for each run, and a page with all results"}};
   return all;
 }
 
 const std::vector<Meaning>& example_lines() {
   static const std::vector<Meaning> all{
-      {"riedel biaxial", "the paper's case; leaves its results in results/biaxial"},
+      {"riedel biaxial", "the paper's case; results go to results/biaxial"},
       {"riedel biaxial --set scheme=cpdi --out results/cpdi", "one key changed"},
       {"riedel biaxial --set material.model=mohr_coulomb --help", "the keys, with those of that law"},
       {"riedel list mohr_coulomb", "one law, scheme, search or averager, or one key"},
       {"riedel check > case.toml", "a case file with every key, to edit"},
-      {"riedel biaxial case.toml --out results/mine", "and to run"},
+      {"riedel biaxial case.toml --out results/mine", "run that case"},
       {"riedel element triaxial --set specimen.void_ratio=0.7", "an element test at one point"},
       {"riedel compare --schemes gimp,cpdi", "the same case under two schemes, with a report"}};
   return all;

@@ -24,7 +24,7 @@ std::string joined(const Texts& words, const std::string& between) {
   return all;
 }
 
-/// With those that every command has.
+/// The options of a command, with those that every command has.
 Options options_of(const Command& command) {
   Options options = command.options;
   options.push_back({"help", "", ""});
@@ -47,7 +47,7 @@ po::options_description described(const Options& options) {
 
 std::string hint(const Command& command) { return "; see 'riedel " + command.name + " --help'"; }
 
-/// Commands that have an option of this name, to be told where another one was given it; at most three.
+/// Names at most three commands that have this option, for the error of a command that does not have it.
 std::string takers_text(std::span<const Command> commands, std::string_view given) {
   std::string names;
   int count = 0;
@@ -76,7 +76,7 @@ std::string wrong_value_text(const Command& command, const po::error_with_option
   return error.what() + hint(command);
 }
 
-/// Letters do not stick together: -out is no "-o ut" but a long option with a dash too few.
+/// Short options cannot be combined: -out is not "-o ut" but a long option with one dash missing.
 void refuse_single_dashes(const Command& command, std::span<const Command> others, const Texts& words) {
   for (const std::string& word : words) {
     if (word == "--") return;
@@ -130,7 +130,7 @@ int Arguments::integer(std::string_view option, int otherwise, int minimum, int 
 ThreadRange Arguments::threads() const {
   const std::optional<std::string> given = text("threads");
   if (!given) {
-    const char* wished = std::getenv("OMP_NUM_THREADS"); // has been read, with all that it may hold, when OpenMP began
+    const char* wished = std::getenv("OMP_NUM_THREADS"); // OpenMP has read and checked its value
     const bool wish = wished != nullptr && *wished != '\0';
     const int maximum = std::clamp(wish ? omp_get_max_threads() : omp_get_num_procs(), 1, max_threads_allowed);
     return {wish ? maximum : 1, maximum};
@@ -182,8 +182,8 @@ Options case_options() {
 }
 
 Option plugin_option() {
-  return {"plugin", "FILE.so", "load a plug-in, beside those in the folders of RIEDEL_PLUGIN_PATH; may be repeated",
-          true};
+  return {"plugin", "FILE.so",
+          "load a plug-in in addition to those in the folders of RIEDEL_PLUGIN_PATH; may be repeated", true};
 }
 
 Options run_options(const std::string& folder) {
@@ -191,7 +191,7 @@ Options run_options(const std::string& folder) {
   options.push_back({"out", "DIR", "folder for the results; default: " + folder});
   options.push_back(
       {"threads", "N", "or A-B: the program chooses while it runs; default: 1 to all; results do not depend on it"});
-  options.push_back({"force", "", "write over the results that the folder holds"});
+  options.push_back({"force", "", "overwrite the results in the folder"});
   return options;
 }
 

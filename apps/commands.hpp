@@ -1,4 +1,4 @@
-/// The sub-commands of the program: a line each in one table.
+/// The sub-commands of the program: one line each in a table.
 #pragma once
 
 #include "apps/command_line.hpp"

@@ -15,7 +15,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// A line of the table: the question, and the words that answer it.
+/// A line of the table: a question, and the words that answer it.
 std::string row(const std::string& question, const Texts& words) {
   if (words.empty()) return "";
   std::string text = "    '" + question + "') printf '%s\\n'";
@@ -23,7 +23,7 @@ std::string row(const std::string& question, const Texts& words) {
   return text + " ;;\n";
 }
 
-/// What stands for a value, DIR or FILE.csv, as what to complete it with: @dir, or @file with an ending.
+/// What completes the placeholder of a value, DIR or FILE.csv: @dir, or @file with an ending.
 Texts place_of(const std::string& value) {
   if (value == "DIR") return {"@dir"};
   const std::size_t dot = value.rfind('.');
@@ -60,7 +60,7 @@ std::string rows_of(const Command& command) {
   return row("options " + command.name, all) + row("valued " + command.name, valued) + text;
 }
 
-/// Names of keys, and of each what it can be; the parameters of laws stand by themselves.
+/// Names of keys and the values of each; the parameters of laws have rows of their own.
 class KeyRows {
 public:
   void add(const std::string& whose, const Keys& keys) {

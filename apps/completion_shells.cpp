@@ -1,4 +1,4 @@
-/// The parts of the completion that are written in the language of shells.
+/// The parts of the completion that are written in shell language.
 #include "apps/completion.hpp"
 
 namespace riedel {
@@ -10,7 +10,7 @@ _riedel_takes_value() {
   _riedel_table "valued $1" | grep -qxF -e "$2"
 }
 
-# The words $2 of a table, each behind $1.
+# The words $2 of a table, each with the prefix $1.
 _riedel_behind() {
   _riedel_table "$2" | while IFS= read -r word; do
     case $word in
@@ -48,7 +48,7 @@ _riedel_value() {
   _riedel_behind "$prefix" "value $1 $2"
 }
 
-# What the word $1 can become, behind the words that follow. @dir and @file with an ending stand for files.
+# Completions of the word $1, typed after the words that follow. @dir and @file with an ending stand for files.
 _riedel_candidates() {
   local begun=$1 command=$2 first= law=gudehus_bauer option= count=0 word
   shift

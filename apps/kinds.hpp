@@ -1,4 +1,4 @@
-/// The kinds of case that there are: a line each in one table.
+/// The kinds of cases: one line each in a table.
 #pragma once
 
 #include "core/campaign/run_kind.hpp"
@@ -12,7 +12,7 @@ std::span<const RunKind> run_kinds();
 
 /// By the name of its sub-command.
 const RunKind& run_kind(const std::string& name);
-/// That of a case; the biaxial test is that of a case which says nothing.
+/// The kind of a case; a case that names no test is a biaxial one.
 const RunKind& kind_of(const CaseFile& given);
 
 } // namespace riedel

@@ -17,7 +17,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// One thing that can be named: a line or more in a group's list, and all that is known of it.
+/// One thing that can be named: a line or more in a group's list, and its full text.
 struct Entry {
   std::string name, brief;
   std::function<std::string()> whole;
@@ -29,7 +29,7 @@ struct Group {
   std::string if_empty;
 };
 
-/// @param whole the text of an entry that stands alone
+/// @param whole makes the full text of a single entry
 template <class Make, class Whole>
 Group group(const std::string& name, const Registry<Make>& registry, const Whole& whole) {
   Group all{name, {}, ""};
@@ -39,7 +39,7 @@ Group group(const std::string& name, const Registry<Make>& registry, const Whole
 }
 
 Group group_of(const std::vector<LoadedPlugin>& plugins) {
-  Group all{"plugins", {}, "  none; RIEDEL_PLUGIN_PATH names folders to look into\n"};
+  Group all{"plugins", {}, "  none; RIEDEL_PLUGIN_PATH names folders to search\n"};
   for (const LoadedPlugin& plugin : plugins) {
     std::string text = "  " + plugin.path.string() + ", compiled by g++ " + plugin.compiler + "\n";
     for (const std::string& entry : plugin.brings) text += "    " + entry + "\n";
@@ -70,7 +70,7 @@ std::string text_of(const Group& group) {
   return group.entries.empty() ? text + group.if_empty : text;
 }
 
-/// Of keys, and of words that a key can take.
+/// The text about a key, or about a word that keys can take.
 std::string key_text(const std::string& wish, const Catalogue& catalogue) {
   std::string text;
   for (const Key& key : biaxial_keys(catalogue, ""))
@@ -79,7 +79,7 @@ std::string key_text(const std::string& wish, const Catalogue& catalogue) {
   return text;
 }
 
-/// Everything that a word stands for, as some words name two things. @throws InputError when it is nothing
+/// Everything that a word stands for; some words name two things. @throws InputError for an unknown word
 std::string text_of(const std::string& wish, const std::vector<Group>& groups, const Catalogue& catalogue) {
   Texts texts, names, known;
   for (const Group& group : groups) {

@@ -119,16 +119,15 @@ std::string manual_page(std::span<const Command> commands, const std::string& da
   text +=
       heading("DESCRIPTION") +
       roff("Runs a specimen of sand, or one element of it, under a choice of interpolation schemes and constitutive "
-           "laws, and "
-           "measures the shear bands that come out. A case is a file of keys in TOML; every key has a default, the "
-           "value of "
-           "Krzyżanowski, Wójcik and Tejchman (2020), so that a command without a case file runs the paper's case.") +
+           "laws, and measures the resulting shear bands. A case is a file of keys in TOML; every key has a default, "
+           "the value of Krzyżanowski, Wójcik and Tejchman (2020), so that a command without a case file runs the "
+           "paper's case.") +
       "\n" + heading("COMMANDS");
   for (const Command& command : commands) text += section_on(command);
   text += heading("OPTIONS") +
           options({{"help", "",
-                    "of every command: print what it takes, for the test, the law and the scheme that are "
-                    "named beside it"},
+                    "for every command: print its options and keys, for the test, law and scheme named "
+                    "beside it"},
                    {"version", "", "print the version"},
                    {"man", "", "print this page; for the program itself"},
                    {"completion", "SHELL", "print the completion for bash or zsh; for the program itself"}});
@@ -137,8 +136,8 @@ std::string manual_page(std::span<const Command> commands, const std::string& da
   text += heading("FILES") + meanings(result_files()) + heading("EXIT STATUS") + meanings(exit_codes()) +
           heading("ENVIRONMENT") + meanings(environment_variables()) + heading("EXAMPLES") + meanings(example_lines());
   return text + heading("SEE ALSO") +
-         roff("paraview(1), cmake(1); the folder docs of the source: docs/input.md has every key, docs/howto how "
-              "things are done.") +
+         roff("paraview(1), cmake(1); the folder docs of the source: docs/input.md lists every key, docs/howto has "
+              "instructions.") +
          "\n";
 }
 

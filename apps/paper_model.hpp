@@ -1,4 +1,4 @@
-/// The law of the paper, which a case has that names none.
+/// The law of the paper, the default of a case that names none.
 #pragma once
 
 #include "core/case/case_file.hpp"

@@ -33,10 +33,10 @@ std::string element_reference(const Catalogue& catalogue) {
     text += "## `riedel element " + test + "`\n\n" +
             dotted_table(element_keys(catalogue, test, paper_model), {"specimen.", "initial.", "loading."});
   return text + "### `[[stage]]`\n\n" + keys_markdown(stage_keys("")) +
-         "A number or \"hold\" may have one period of a sine upon it: `MEASURE_swing`, the amplitude in the measure's "
+         "One period of a sine can be added to a number or \"hold\": `MEASURE_swing`, the amplitude in the measure's "
          "unit, and "
-         "`MEASURE_phase`, the\nangle at the start of the leg [deg], such as `tau_swing = \"20 kPa\"`. A leg takes "
-         "them, too.\n\n" +
+         "`MEASURE_phase`, the\nangle at the start of the leg [deg], such as `tau_swing = \"20 kPa\"`. A leg accepts "
+         "these keys as well.\n\n" +
          "### `[[stage.leg]]`\n\n" + keys_markdown(leg_keys("")) + "## Any of them\n\n" +
          dotted_table(element_keys(catalogue, element_tests().front(), paper_model), {"driver.", "output."});
 }
@@ -47,7 +47,7 @@ std::string input_reference(const Catalogue& catalogue) {
   std::string text =
       "# Keys of a biaxial case\n\nMade by `riedel check --reference` from the table that also checks the case. "
       "Every key has a default, the paper's value.\nNumbers are SI (angles in degrees) or texts with a unit: "
-      "`\"50 kPa\"`, `\"1.5 mm\"`, `\"33 deg\"`.\nOn the command line a key stands with its section: "
+      "`\"50 kPa\"`, `\"1.5 mm\"`, `\"33 deg\"`.\nOn the command line a key is written with its section: "
       "`--set specimen.width=\"50 mm\"`, `--set grid.cells=[32,112]`.\n\n";
   const Keys keys = biaxial_keys(catalogue, paper_model);
   const auto& laws = catalogue.materials.entries();

@@ -1,4 +1,4 @@
-/// riedel: the program. Finds the sub-command, runs it and turns what went wrong into an exit code.
+/// riedel: the program. Finds the sub-command, runs it and converts errors into exit codes.
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/completion.hpp"
@@ -22,7 +22,7 @@ int print(const std::string& text) {
   return 0;
 }
 
-/// What stands before any command: a question to the program itself.
+/// Answers an option given before any command, which concerns the program itself.
 int answer(const std::vector<std::string>& words) {
   const std::string& first = words.front();
   if (first == "--man") return print(manual_page(commands(), day_of_build()));

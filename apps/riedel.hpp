@@ -1,5 +1,5 @@
-/// The front door for a program of your own: `#include <riedel/riedel.hpp>`, `riedel::core` and `riedel::io` of
-/// `find_package(riedel COMPONENTS io)`. docs/howto/write_a_program.md walks through one.
+/// The one header for user-defined programs: `#include <riedel/riedel.hpp>`, with `riedel::core` and `riedel::io` of
+/// `find_package(riedel COMPONENTS io)`. docs/howto/write_a_program.md walks through an example.
 #pragma once
 
 #include "core/io/history.hpp"
@@ -40,9 +40,9 @@ inline Catalogue built_in() {
   return all;
 }
 
-/// Something of a catalogue by name, with its defaults but for what `with` says.
+/// Makes an entry of a catalogue by name, with its defaults except for the values in `with`.
 /// @param args what its factory takes before the values: a boundary condition's name and place
-/// @throws InputError for a name, a key or a value that does not exist there
+/// @throws InputError for an unknown name or key, or a value that is not allowed
 template <class Make, class... Args>
 auto make(const Registry<Make>& registry, const std::string& name, const std::map<std::string, Value>& with = {},
           const Args&... args) {

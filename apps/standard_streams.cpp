@@ -22,7 +22,7 @@ bool flush_standard_output() {
   std::fflush(stdout);
   if (std::cout && std::ferror(stdout) == 0) return true;
   pollfd output{STDOUT_FILENO, POLLOUT, 0};
-  if (::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) { // nobody reads any more
+  if (::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0) { // the reader has gone
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
   }

@@ -3,13 +3,13 @@
 
 namespace riedel {
 
-/// To be called before anything opens a file. A stream that is closed becomes one of /dev/null: else the next file
-/// would take its number, and receive what is printed. A reader that goes away, and a file that may not grow, become
-/// errors where they are met instead of signals that end the program in the middle of a run.
+/// To be called before any file is opened. A closed stream is redirected to /dev/null; otherwise the next file would
+/// get its number and receive what is printed. A reader that goes away, or a file that may not grow, causes an error at
+/// the write instead of a signal that ends the program during a run.
 void secure_standard_streams();
 
-/// Hands on what is still to be printed. Ends the program as a pipe without a reader does, when it is that.
-/// @return whether all that was printed has gone out
+/// Flushes standard output. If it is a pipe without a reader, ends the program by SIGPIPE, as is usual.
+/// @return whether everything has been written
 bool flush_standard_output();
 
 } // namespace riedel

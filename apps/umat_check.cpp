@@ -1,4 +1,4 @@
-/// riedel umat-check: what a UMAT does, before it is trusted in a run.
+/// riedel umat-check: checks a UMAT before it is used in a run.
 #include "apps/built_in.hpp"
 #include "apps/case_kind.hpp"
 #include "apps/commands.hpp"
@@ -32,10 +32,10 @@ namespace {
 
 std::string text_of(double x) { return short_text(x, 3); }
 
-/// A line of the report: what was looked at, what was found, what it means.
+/// A line of the report: the check, its result, and what it means.
 using Line = TableRow;
 
-/// Of the stress, then of each state variable: what was declared is judged, the rest reported where it stands out.
+/// For the stress, then each state variable: declared ones must agree, others are reported where they do not.
 std::vector<Line> rotation_lines(const UmatProbe& probe, double tolerance, bool& good) {
   std::vector<Line> lines;
   for (const Disagreement& found : probe.rotation_errors()) {
@@ -55,13 +55,13 @@ Line speed_line(const UmatProbe& probe) {
   constexpr double slow = 5.0, fast = 20e3; // [m/s]
   const double speed = probe.wave_speed();
   return {"wave speed from DDSDDE [m/s]", text_of(speed),
-          speed < slow || speed > fast ? "of no soil or rock: is material.stress_unit the UMAT's?" : ""};
+          speed < slow || speed > fast ? "unlike any soil or rock: is material.stress_unit that of the UMAT?" : ""};
 }
 
 Line idle_line(const UmatProbe& probe) {
   const double change = probe.idle_change();
   return {"no strain: change of stress", text_of(change),
-          change < 1e-8 ? "" : "the stress at the start does not last: it creeps, or follows from DFGRD1 alone"};
+          change < 1e-8 ? "" : "the initial stress changes: it creeps, or depends on DFGRD1 alone"};
 }
 
 std::vector<Line> halving_lines(const UmatProbe& probe) {
@@ -71,9 +71,8 @@ std::vector<Line> halving_lines(const UmatProbe& probe) {
     lines.push_back({"in " + std::to_string(1 << i) + " steps against " + std::to_string(1 << errors.size()),
                      text_of(errors[i]), ""});
   const double order = std::log2(errors.front() / errors[1]);
-  lines.front().back() = errors.front() < 1e-12 || errors[1] == 0.0
-                             ? "the path does not matter"
-                             : "order " + text_of(order) + " in the size of the step";
+  lines.front().back() = errors.front() < 1e-12 || errors[1] == 0.0 ? "the path does not matter"
+                                                                    : "order " + text_of(order) + " in the step size";
   return lines;
 }
 

@@ -1,4 +1,4 @@
-/// A folder of one test alone, so that tests can run side by side.
+/// A folder for a single test, so that tests can run side by side.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@ namespace {
 using Four [[gnu::vector_size(32)]] = double;
 using Line [[gnu::vector_size(64)]] = double;
 
-/// Eight rows of eight numbers become eight columns.
+/// Transposes eight rows of eight numbers.
 inline void transpose(double (&a)[8][8]) {
   Line r[8], s[8];
   for (int i = 0; i < 8; ++i) r[i] = *reinterpret_cast<const Line*>(a[i]);
@@ -64,7 +64,7 @@ BareKernel<Law, States, Nodes>::BareKernel(const Law& law, const Grid<2>& grid, 
   }
 }
 
-/// Places are in cells, s = 1 at the second node reached.
+/// Positions are in cells, s = 1 at the second node reached.
 template <class Law, std::size_t States, int Nodes>
 void BareKernel<Law, States, Nodes>::find_weights(const Group& g, Weights& w) const {
   Pack lowest[2];

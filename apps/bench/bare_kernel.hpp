@@ -1,4 +1,4 @@
-/// The yardstick of `riedel bench`: one step of the method written out by hand, with nothing to choose at run time.
+/// The reference of `riedel bench`: one hand-written step of the method, without choices at run time.
 #pragma once
 
 #include "core/state/grid.hpp"
@@ -7,11 +7,11 @@
 namespace riedel {
 
 /// Plane strain, USL, one body of uniform spacing on one grid, no boundaries, one thread. `Nodes` along an axis: 2 for
-/// hats (the linear scheme), 3 for uniform GIMP. The law takes one Euler step without a look at its error; otherwise
-/// the step is that of `usl_step`, and a test holds the two against each other.
+/// hats (the linear scheme), 3 for uniform GIMP. The law takes one Euler step without error control; otherwise the
+/// step is that of `usl_step`, and a test compares the two.
 ///
-/// Points stand in packs of eight, all their numbers side by side, in the order of the first node that they touch; a
-/// node is a cache line. While points follow each other that touch the same nodes, sums stay in registers.
+/// Points are stored in packs of eight, all their numbers side by side, in the order of the first node that they touch;
+/// a node is a cache line. While consecutive points touch the same nodes, sums stay in registers.
 /// @tparam States number of the law's state variables that the rate depends on
 template <class Law, std::size_t States, int Nodes>
 class BareKernel {
@@ -48,7 +48,7 @@ private:
   const Law& law_;
   Grid<2> grid_;
   double half_width_, pressure_, flip_, min_mass_;
-  std::vector<Index> order_; ///< which of the points given stands where
+  std::vector<Index> order_; ///< the given point at each place
   AlignedVector<Group> groups_;
   AlignedVector<Node> nodes_;
 };

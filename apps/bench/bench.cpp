@@ -1,4 +1,4 @@
-/// riedel bench: nanoseconds per point and step, by phase; what other programs reach; what the machine could do.
+/// riedel bench: nanoseconds per point and step, by phase; figures of other programs; limits of the machine.
 #include "apps/bench/options.hpp"
 #include "apps/bench/peers.hpp"
 #include "apps/bench/table.hpp"
@@ -18,11 +18,12 @@ namespace riedel {
 
 namespace {
 
-constexpr double storm = 1e-3; ///< share of points with sub-steps above which a figure tells of them, not of the step
+constexpr double storm =
+    1e-3; ///< share of points with sub-steps above which a figure reflects these rather than the step
 
 std::string title_of(const BenchCase& c) { return c.scheme + ", " + c.material + ", " + std::to_string(c.points); }
 
-/// As many of the cases as could be done before an interrupt.
+/// The cases that were completed before an interrupt, if any.
 std::vector<BenchResult> measure_all(const std::vector<BenchCase>& cases, const Catalogue& catalogue,
                                      const BenchEffort& effort) {
   Progress progress("bench");
@@ -49,7 +50,7 @@ void write_json(const Arguments& arguments, const nlohmann::ordered_json& json) 
   if (const auto file = arguments.text("json")) write_atomically(*file, json.dump(2) + "\n");
 }
 
-/// What can be known of the file before hours of measuring.
+/// Checks that the file can be written, before hours of measuring.
 void check_json(const Arguments& arguments) {
   const auto file = arguments.text("json");
   if (!file) return;

@@ -107,7 +107,7 @@ Simulation<Dim> make_block(const BenchCase& wanted, const Catalogue& catalogue) 
   Body<Dim>& body = state.bodies.emplace_back();
   body.name = "block";
   body.material = law.make(Values(law.description.parameters));
-  // Off the nodes by a tenth of a cell: points see all nodes of their supports, and no node holds a sliver of mass.
+  // Off the nodes by a tenth of a cell: points reach all nodes of their supports, and no node has a very small mass.
   fill<Dim>(body.points,
             lattice_of<Dim>(cells, state.grid.cell, wanted.per_cell, Vec<Dim>::Constant(0.1 * block::cell)),
             state_components(body.material->states()));

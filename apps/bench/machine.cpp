@@ -13,7 +13,7 @@ namespace riedel {
 
 namespace {
 
-/// What a loop computed goes where the compiler cannot see that nobody looks.
+/// Keeps the compiler from removing a loop whose result is not used.
 void use(double x) {
   static_assert(sizeof(x) == 8);
   asm volatile("" : : "m"(x) : "memory");
@@ -29,7 +29,7 @@ double seconds_per_call(const BenchEffort& effort, const std::function<void()>& 
     const auto start = Clock::now();
     for (std::int64_t i = 0; i < calls; ++i) call();
     const double taken = std::chrono::duration<double>(Clock::now() - start).count();
-    if (taken < effort.seconds) // warms up, too
+    if (taken < effort.seconds) // also warms up
       calls *= 2;
     else
       seconds.push_back(taken / static_cast<double>(calls));
@@ -37,7 +37,7 @@ double seconds_per_call(const BenchEffort& effort, const std::function<void()>& 
   return spread_of(seconds).median;
 }
 
-/// STREAM's triad: 24 bytes an entry, without those read only to be written over.
+/// STREAM's triad: 24 bytes per entry, without those that are read only to be overwritten.
 double triad_seconds(std::size_t size, const BenchEffort& effort) {
   AlignedVector<double> a(size, 0.0), b(size, 1.0), c(size, 2.0);
   return seconds_per_call(effort, [&] {
@@ -48,7 +48,7 @@ double triad_seconds(std::size_t size, const BenchEffort& effort) {
   });
 }
 
-/// GFLOP/s of multiply-adds that never leave the registers: as many chains as there are registers to spare.
+/// GFLOP/s of multiply-adds in registers: as many chains as there are free registers.
 double fma_rate(const BenchEffort& effort) {
   constexpr int chains = 12 / detail::registers, rounds = 1000;
   const double seconds = seconds_per_call(effort, [&] {
@@ -83,8 +83,8 @@ double function_time(const BenchEffort& effort, const F& f) {
   return 1e9 * seconds / numbers;
 }
 
-/// One rate of the law at a stress that differs from point to point, in one piece as RateLaw compiles it. State
-/// variables behind the void ratio are small strains.
+/// One rate of the law at a stress that differs from point to point, compiled as a whole as in RateLaw. State variables
+/// after the void ratio are small strains.
 template <class Real, class Law, std::size_t States>
 [[gnu::flatten]] double rate_time(const RateLaw<Law, States>& law, const BenchEffort& effort) {
   std::array<Real, States> state;

@@ -10,7 +10,7 @@ namespace riedel {
 struct BareKernelTimes {
   static constexpr std::array points{4'096, 102'400};
   std::array<double, points.size()> linear{}, gimp{};
-  /// The one to compare with: of the same kind and nearest in the number of points.
+  /// The one for comparison: of the same kind and with the nearest number of points.
   [[nodiscard]] double nearest(bool wide, int points_of_case) const;
 };
 BareKernelTimes measure_bare_kernel(const BenchEffort& effort);
@@ -27,7 +27,7 @@ struct MachineLimits {
   double exp_pack = 0, exp_scalar = 0;   ///< per call [ns]
   double pow_pack = 0, pow_scalar = 0;   ///< per call [ns]
   std::vector<LawTimes> laws;            ///< hypoplastic, with intergranular strain and without
-  /// Of the law that the bounds of a step are told for.
+  /// Of the law for which the lower bounds of a step are given.
   [[nodiscard]] const LawTimes& bare_law() const { return laws.front(); }
 };
 MachineLimits measure_machine(const BenchEffort& effort);

@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Bytes that the program holds on the heap.
+/// Bytes of the program on the heap.
 double bytes_in_use() {
   const struct mallinfo2 info = ::mallinfo2();
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
@@ -41,8 +41,8 @@ std::optional<double> run(Simulation<Dim>& simulation, std::int64_t steps, const
   return seconds_since(start);
 }
 
-/// Steps that take as long as a repeat shall: whole tens, because a run looks at the wave speed in every tenth step,
-/// and whole rounds of the stress filter.
+/// Number of steps that fills a repeat: a multiple of ten, because a run evaluates the wave speed in every tenth step,
+/// and of the interval of the stress filter.
 template <int Dim>
 std::optional<std::int64_t> steps_of_a_repeat(Simulation<Dim>& simulation, const BenchEffort& effort) {
   constexpr std::int64_t maximum = 1'000'000;
@@ -51,7 +51,7 @@ std::optional<std::int64_t> steps_of_a_repeat(Simulation<Dim>& simulation, const
   for (std::int64_t steps = round;; steps *= 4) {
     const std::optional<double> seconds = run(simulation, steps, effort);
     if (!seconds) return std::nullopt;
-    if (*seconds < 0.1 * effort.seconds && steps < maximum) continue; // too short to tell
+    if (*seconds < 0.1 * effort.seconds && steps < maximum) continue; // too short to measure
     const double wanted = effort.seconds / std::max(*seconds, 1e-9) * static_cast<double>(steps);
     const double rounds = std::ceil(wanted / static_cast<double>(round));
     return round * std::min(maximum / round, static_cast<std::int64_t>(rounds));
@@ -66,7 +66,7 @@ std::optional<BenchResult> measure_in(const BenchCase& wanted, const Catalogue& 
   BenchResult result{.of = wanted, .points = simulation.state().bodies.front().points.size()};
   result.wide = simulation.model().scheme->max_nodes() > power(2, Dim);
 
-  const std::optional<std::int64_t> steps = steps_of_a_repeat(simulation, effort); // warms up, too
+  const std::optional<std::int64_t> steps = steps_of_a_repeat(simulation, effort); // also warms up
   if (!steps) return std::nullopt;
   result.steps = *steps;
   const double point_steps = static_cast<double>(result.steps) * result.points;

@@ -19,8 +19,8 @@ const Options& choices() {
       {"scheme", "A,B", "interpolation schemes; default: gimp", true, catalogue.in_2d.schemes.names()},
       {"material", "A,B", "laws; default: gudehus_bauer", true, catalogue.materials.names()},
       {"dimension", "2,3", "default: 2", true, {"2", "3"}},
-      {"points", "N,M", "material points, whole cells near it; default: 2e3,1e4,1e5,1e6"},
-      {"per-cell", "N", "points in a cell along each direction; default: 2"},
+      {"points", "N,M", "material points, rounded to whole cells; default: 2e3,1e4,1e5,1e6"},
+      {"per-cell", "N", "points per cell along each direction; default: 2"},
       {"order", "A,B", "of the step: musl, usl, usf; default: musl", true, step_orders()},
       {"transfer", "A,B", "of velocities: flip, apic, tpic, xpic; default: flip", true,
        catalogue.in_2d.transfers.names()},
@@ -95,11 +95,11 @@ std::vector<BenchCase> vary(const std::vector<BenchCase>& cases, Member member, 
 
 Options bench_options() {
   Options options = choices();
-  options.push_back({"repeats", "N", "median, least and most are over so many; default: 5"});
-  options.push_back({"seconds", "T", "that a repeat takes at least; default: 0.2"});
-  options.push_back({"json", "FILE", "write the figures there as well"});
+  options.push_back({"repeats", "N", "number of repeats for median, least and most; default: 5"});
+  options.push_back({"seconds", "T", "minimum duration of a repeat; default: 0.2"});
+  options.push_back({"json", "FILE", "also write the figures to this file"});
   options.push_back(plugin_option());
-  options.push_back({"peers", "", "the cases that other programs were measured in, beside their figures"});
+  options.push_back({"peers", "", "the cases in which other programs were measured, beside their figures"});
   options.push_back({"machine", "", "what this machine can do: bandwidth, peak, exp, pow, law, bare kernel"});
   return options;
 }

@@ -1,4 +1,4 @@
-/// From what the user typed behind `riedel bench` to cases.
+/// The cases that the options of `riedel bench` request.
 #pragma once
 
 #include "apps/bench/measure.hpp"
@@ -14,7 +14,7 @@ std::vector<BenchCase> bench_cases(const Arguments& arguments, const Catalogue& 
 /// --repeats and --seconds. Throws InputError.
 BenchEffort bench_effort(const Arguments& arguments);
 
-/// Throws InputError when options that choose cases stand beside `mode`, which has cases of its own.
+/// Throws InputError when options that choose cases are given beside `mode`, which has cases of its own.
 void refuse_choices(const Arguments& arguments, const std::string& mode);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// The cases in which other programs were measured, and what they reached.
+/// The cases in which other programs were measured, and their figures.
 #pragma once
 
 #include "apps/bench/measure.hpp"
@@ -9,7 +9,7 @@ namespace riedel {
 
 std::vector<BenchCase> peer_cases();
 
-/// Our figures beside theirs, which come from another machine.
+/// Riedel's figures beside theirs, which come from another machine.
 std::string peers_table(const std::vector<BenchResult>& results);
 /// Adds `peers_ns` to the rows of `results_json`.
 void add_peers(nlohmann::ordered_json& rows, const std::vector<BenchResult>& results);

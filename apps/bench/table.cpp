@@ -15,7 +15,7 @@ std::string length_text(const BenchResult& r) {
   return short_text(1e3 * r.of.length) + " " + r.of.averager + "/" + r.of.search;
 }
 
-constexpr std::size_t names = 4; ///< columns of a row's head that are no numbers
+constexpr std::size_t names = 4; ///< columns of a row's head that are not numbers
 const Row head_of_names{"scheme", "law", "order", "l_c [mm]", "dim", "points", "threads"};
 Row row_of_names(const BenchResult& r) {
   return {r.of.scheme + (r.of.transfer == "flip" ? "" : ", " + r.of.transfer) +
@@ -37,7 +37,7 @@ struct Demand {
 constexpr std::array<Demand, 4> demands{
     {{"linear 2-D", 296, 202}, {"gimp 2-D", 328, 447}, {"cpdi 2-D", 360, 728}, {"gimp 3-D", 528, 2008}}};
 
-/// Moving and computing overlap: the larger of the two is the least that a step can take.
+/// Moving and computing overlap: the larger of the two is the minimum time of a step.
 std::string bounds_table(const MachineLimits& m) {
   std::vector<Row> rows;
   for (const Demand& d : demands) {

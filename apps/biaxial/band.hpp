@@ -1,4 +1,4 @@
-/// The shear band of a frame of the biaxial test, measured as its case says.
+/// The shear band of a frame of the biaxial test, measured with the settings of its case.
 #pragma once
 
 #include "apps/biaxial/case.hpp"
@@ -7,12 +7,12 @@
 
 namespace riedel {
 
-/// Measures the band of a frame in the plane with the case's l_c and void ratio of the threshold.
+/// Measures the band of a plane frame with the case's l_c and threshold of the void ratio.
 ShearBand measure_band(const Frame& frame, const BiaxialCase& values);
 
-/// How sound the stresses of a frame in the plane are within its band: the core reaches 2 l_c to either side, or 1.8
-/// cells where that is more or the law is local; local means reach as far as neighbouring points do, about a cell; a
-/// point below 2 % of the confining pressure carries no stress.
+/// Quality of the stresses of a plane frame within its band. The core extends 2 l_c to either side, or 1.8 cells where
+/// that is more or the law is local; local means extend to the neighbouring points, about a cell; a point below 2 % of
+/// the confining pressure counts as stress-free.
 StressQuality measure_quality(const Frame& frame, const ShearBand& band, const BiaxialCase& values);
 
 } // namespace riedel

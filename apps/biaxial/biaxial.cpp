@@ -35,9 +35,9 @@ void print_result(const nlohmann::ordered_json& summary, const std::filesystem::
   std::cout << std::endl;
 }
 
-/// A run that failed before it began says so in its summary, as far as that can still be written.
+/// Records the failure of a run that did not begin in its summary, if that can still be written.
 void write_failure(const std::filesystem::path& folder, const std::string& reason) {
-  if (std::filesystem::exists(folder / "summary.json")) return; // it has told more
+  if (std::filesystem::exists(folder / "summary.json")) return; // it contains more
   try {
     write_summary(folder, {{"case", "biaxial"}, {"version", version()}, {"status", "failed"}, {"reason", reason}});
   } catch (const RunError& another) { print_warning(another.what()); }
@@ -55,7 +55,7 @@ void advance(BiaxialRun<Dim>& run, const BiaxialCase& values, const Interrupt& i
               });
 }
 
-/// What a reader of the numbers must know before believing them.
+/// Warns of results that are not reliable.
 template <int Dim>
 void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& summary) {
   for (const auto& [part, name] : {std::pair{"band", "shear band: "}, {"stress", "stresses: "}})
@@ -63,10 +63,10 @@ void warn_of_doubts(const BiaxialRun<Dim>& run, const nlohmann::ordered_json& su
   if (const std::string doubt = run.time_step().doubt(); !doubt.empty()) print_warning(doubt);
   if (run.kinetic_over_internal() > quasi_static_limit)
     print_warning("the run is not quasi-static: kinetic energy reached " + short_text(run.kinetic_over_internal()) +
-                  " of the internal one; use a smaller loading.speed");
+                  " of the internal energy; use a smaller loading.speed");
 }
 
-/// What a run was asked for.
+/// What a run is to do.
 struct Order {
   CheckedCase given;
   BiaxialCase test;
@@ -74,10 +74,10 @@ struct Order {
   ThreadRange threads;
 };
 
-/// How far a run has come: not begun, begun, or told to its end in the summary, which nothing replaces from then on.
+/// How far a run has come: not begun, begun, or reported in its final summary, which is not replaced any more.
 enum class Stage { before, begun, reported };
 
-/// Runs the case and leaves everything in the folder, once it is known to begin. @return the exit code
+/// Runs the case and writes its results; earlier ones are replaced only when it can begin. @return the exit code
 template <int Dim>
 int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   const Interrupt interrupt;
@@ -116,7 +116,7 @@ int run_case(const Order& order, OutputFolder& output, Stage& stage) {
   return interrupt ? interrupt.exit_code() : 0;
 }
 
-/// What ends a run, of whatever kind, is told in the summary, unless that would cover up the results of another run.
+/// Runs the case. Any failure is recorded in the summary, unless that would replace the results of another run.
 int run_to_some_end(const Order& order, OutputFolder& output) {
   Stage stage = Stage::before;
   try {
@@ -134,7 +134,7 @@ int run_to_some_end(const Order& order, OutputFolder& output) {
 } // namespace
 
 int biaxial(const Arguments& arguments) {
-  const CaseFile file = arguments.case_file().without("compare"); // a study is the case that it varies, too
+  const CaseFile file = arguments.case_file().without("compare"); // a study also serves as the case that it varies
   Catalogue catalogue = load_catalogue(file).catalogue;
   CheckedCase given = biaxial_case(file, catalogue);
   for (const std::string& note : given.notes) print_note(note);

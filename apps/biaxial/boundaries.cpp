@@ -23,8 +23,8 @@ SurfaceTraction<Dim> side_pressure(const SpecimenGeometry<Dim>& specimen, const 
   return load;
 }
 
-/// Two layers of rigid points, from the specimen's row of cells `row` upwards. Reaches over the sides as far as its own
-/// points' supports allow, and over the depth by a cell.
+/// Two layers of rigid points, from the specimen's row of cells `row` upwards. They extend beyond the sides as far as
+/// the supports of their points allow, and beyond the depth by a cell.
 template <int Dim>
 RigidPoints<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& specimen, Index row,
                               const VelocityCourse& velocity) {
@@ -42,7 +42,7 @@ RigidPoints<Dim> rigid_platen(const char* name, const SpecimenGeometry<Dim>& spe
   return platen;
 }
 
-/// The bottom at rest, its middle held sideways, and the top, in the directions of the turned specimen.
+/// The bottom at rest with its middle fixed laterally, and the top, in the axes of the rotated specimen.
 template <int Dim>
 void set_turned_platens(Model<Dim>& model, const SpecimenGeometry<Dim>& s, const VelocityCourse& still,
                         const VelocityCourse& down) {
@@ -68,8 +68,8 @@ void set_platens(Model<Dim>& model, State<Dim>& state, const SpecimenGeometry<Di
   if (!s.turn.is_none) return set_turned_platens<Dim>(model, s, still, down);
   Counts<Dim> end = state.grid.nodes;
   for (Index& n : end) --n;
-  // Rows of nodes from side to side. Those beyond a platen or a wall move with it, so that a domain reaching past the
-  // edge sees no gradient there.
+  // Rows of nodes from side to side. Those beyond a platen or a wall move with it, so that a domain that extends over
+  // the edge has no velocity gradient there.
   const auto rows = [&](const char* name, int axis, Index first, Index last, const auto& velocity) {
     VelocityOnNodes<Dim> nodes{.name = name, .last = end, .axis = axis, .velocity = velocity};
     nodes.first[axis] = first;

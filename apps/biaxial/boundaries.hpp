@@ -1,4 +1,4 @@
-/// What holds, drives and presses the biaxial specimen.
+/// Supports, drive and lateral pressure of the biaxial specimen.
 #pragma once
 
 #include "apps/biaxial/geometry.hpp"
@@ -6,8 +6,8 @@
 
 namespace riedel {
 
-/// Smooth platens, of which the upper one moves, and in three dimensions smooth walls. Of a turned specimen both
-/// platens, and the point that holds the middle of the lower one sideways, are rigid bodies.
+/// Smooth platens, of which the upper one moves, and in three dimensions smooth walls. For a rotated specimen both
+/// platens, and the point that fixes the middle of the lower one laterally, are rigid bodies.
 /// @param model receives conditions and, for a platen that the grid follows, the moving grid
 /// @param state receives the rigid bodies
 template <int Dim>

@@ -62,7 +62,7 @@ CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue) {
   const std::string& model = first.text("material.model");
   if (first.has("material.library") && !first.text("material.library").empty() && catalogue.materials.known(model))
     try_library(given, first, [&] { (void)catalogue.materials.find(model).make(first.section("material")); });
-  const auto uses = law_uses(first, catalogue); // none for a law that is wrong, which is told below
+  const auto uses = law_uses(first, catalogue); // none for an invalid law, which is reported below
   std::vector<std::string> notes;
   if (uses) notes = fit_defaults(keys, *uses, given, first);
   const auto check = [&](const Values& values) {

@@ -8,7 +8,7 @@
 
 namespace riedel {
 
-/// Names and meanings are those of the keys; docs/input.md has them. Lengths in m, stresses in Pa, times in s.
+/// Names and meanings are those of the keys in docs/input.md. Lengths in m, stresses in Pa, times in s.
 struct BiaxialCase {
   struct Specimen {
     double width, height, void_ratio;
@@ -59,7 +59,7 @@ struct BiaxialCase {
   Law material;
   Nonlocal nonlocal;
   Output output;
-  Values keys; ///< all of them, for messages and for what reads a section of its own, such as the step
+  Values keys; ///< all of them, for messages and for code that reads whole sections, such as the step
 };
 
 } // namespace riedel

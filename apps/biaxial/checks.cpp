@@ -45,14 +45,14 @@ void check_depth(const BiaxialCase& v, std::vector<Finding>& errors) {
                                               "grid.dimensions = 3"});
 }
 
-/// Beside rigid points the grid can stand askew; conditions on rows of nodes and forces on columns of points cannot.
+/// Rigid points allow a rotated specimen; conditions on rows of nodes and forces on columns of points do not.
 void check_rotation(const BiaxialCase& v, std::vector<Finding>& errors) {
   const std::string turned = "specimen.rotation";
   if (v.specimen.rotation == 0.0) return;
   const auto refuse = [&](const char* key, const std::string& what, const std::string& wanted) {
     errors.push_back(
         {{key, turned},
-         what + " does not go with a specimen turned by " + exact_text(v.specimen.rotation) + " deg; take " + wanted});
+         what + " does not go with a specimen rotated by " + exact_text(v.specimen.rotation) + " deg; take " + wanted});
   };
   if (v.loading.platen != BiaxialCase::Platen::rigid_points)
     refuse("loading.platen", "\"moving_grid\"", "\"rigid_points\"");
@@ -73,11 +73,11 @@ void check_spacing(const BiaxialCase& v, std::vector<Finding>& warnings) {
   if (l_c == 0.0 || h <= max_ratio * l_c) return;
   warnings.push_back({{"nonlocal.length", "grid.cells", "specimen.points_per_cell"},
                       "the points are " + rounded(h) + " m apart, more than 1.1 l_c = " + rounded(1.1 * l_c) +
-                          " m: the average acts like one of a shorter length; use more cells or a greater length"});
+                          " m: the average acts like one of a shorter length; use more cells or a larger length"});
 }
 
-/// Points at the sides push their share of the pressure onto hats; the stress behind them must push back alike. For a
-/// law and a scheme that are sound: looks at the forces themselves.
+/// Points at the sides distribute their share of the pressure by hats; the stress behind them must balance it on every
+/// node. Evaluates the forces of a specimen, for a valid law and scheme.
 void check_sides(const BiaxialCase& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   constexpr double maximum = 0.01; // share of the pressure
   if (v.loading.lateral != BiaxialCase::Lateral::points || !errors.empty()) return;
@@ -93,7 +93,7 @@ void check_sides(const BiaxialCase& v, const Catalogue& catalogue, std::vector<F
   }
   errors.push_back({{"loading.lateral", "scheme", "specimen.points_per_cell"},
                     "\"points\" starts out of balance under the scheme \"" + scheme + "\" with " + per_cell +
-                        " per cell and direction: at the sides nodes keep " + rounded(100.0 * imbalance) +
+                        " per cell and direction: nodes at the sides retain " + rounded(100.0 * imbalance) +
                         " % of the pressure's force; take \"virtual_stress\", exact for every scheme" +
                         (others.empty() ? "" : ", or one of the schemes " + others.substr(2))});
 }

@@ -12,7 +12,7 @@ double imbalance_at_start(const BiaxialCase& values, const Catalogue& catalogue)
   const ThreadLimit limit(1); // too small to share
   BiaxialCase few = values;
   few.grid.cells = {cells, cells};
-  few.grid.dimensions = 2; // weights over a depth are factors of all forces
+  few.grid.dimensions = 2; // weights over the depth are a common factor of all forces
   few.loading.platen = BiaxialCase::Platen::moving_grid;
   few.loading.gravity = 0.0;
   few.nonlocal.length = 0.0;

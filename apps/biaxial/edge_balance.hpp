@@ -6,8 +6,8 @@
 
 namespace riedel {
 
-/// The greatest force on a free node of the case's specimen, on few cells and without gravity, over the force of the
-/// lateral pressure on a cell [-]. It depends on the scheme and the points per cell.
+/// The largest force on a free node of the case's specimen, on few cells and without gravity, relative to the force of
+/// the lateral pressure on a cell [-]. It depends on the scheme and the points per cell.
 double imbalance_at_start(const BiaxialCase& values, const Catalogue& catalogue);
 
 } // namespace riedel

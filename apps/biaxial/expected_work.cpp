@@ -10,7 +10,7 @@ namespace riedel {
 
 namespace {
 
-/// A point's step without neighbours takes about as long as looking at so many of them.
+/// A step of a point without neighbours takes about as long as evaluating so many of them.
 constexpr double neighbours_of_a_step = 15.0 * 8.0;
 constexpr double usual_step = 1.2e-7; ///< time of a point's step in the plane, docs/benchmarks.md [s]
 

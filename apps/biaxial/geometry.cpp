@@ -69,7 +69,7 @@ Grid<Dim> SpecimenGeometry<Dim>::grid() const {
     grid.nodes[a] = cells[a] + margin_below[a] + margin_above[a] + 1;
   }
   if (turn.is_none) return grid;
-  if constexpr (Dim == 2) { // the least grid that holds the specimen and its margins
+  if constexpr (Dim == 2) { // the smallest grid that contains the specimen and its margins
     Vec<2> low = turn.centre, high = turn.centre;
     for (const double x : {-margin_below[0] * cell[0], size[0] + margin_above[0] * cell[0]})
       for (const double y : {-margin_below[1] * cell[1], size[1] + margin_above[1] * cell[1]}) {

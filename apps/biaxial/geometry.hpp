@@ -6,25 +6,25 @@
 
 namespace riedel {
 
-/// Depth of the slab [m]; in two dimensions 1, because all that is told there is per metre of it.
+/// Depth of the slab [m]; 1 in two dimensions, where all results are per metre of depth.
 double specimen_depth(const BiaxialCase& values);
 
-/// How the specimen lies in the grid: turned about its middle by specimen.rotation.
+/// How the specimen lies in the grid: rotated about its centre by specimen.rotation.
 struct Turn {
   Vec<2> centre;        ///< [m]
   Mat<2> rotation;      ///< from the specimen's axes to the grid's
-  bool is_none = false; ///< to the bit
+  bool is_none = false; ///< exactly no rotation
 
   explicit Turn(const BiaxialCase& values);
   [[nodiscard]] Vec<2> to_grid(const Vec<2>& x) const { return centre + rotation * (x - centre); }
   [[nodiscard]] Vec<2> to_specimen(const Vec<2>& x) const { return centre + rotation.transpose() * (x - centre); }
 };
 
-/// Turns points, their domains and stresses with the specimen.
+/// Rotates points, their domains and stresses with the specimen.
 template <int Dim>
 void turn_points(Points<Dim>& points, const Turn& turn);
 
-/// What follows from the case's numbers. In its own axes the specimen's lower corner is the origin.
+/// Quantities that follow from the case. In its own axes the specimen's lower corner is the origin.
 template <int Dim>
 struct SpecimenGeometry {
   Vec<Dim> size;                          ///< b0, h0 and the depth [m]

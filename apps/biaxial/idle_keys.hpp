@@ -1,12 +1,12 @@
-/// Keys that a case gives and that nothing in the run looks at.
+/// Keys of a case that have no effect on its run.
 #pragma once
 
 #include "core/case/checked_case.hpp"
 
 namespace riedel {
 
-/// Warns of keys that were given, with another value than their default, beside others that make them idle: a search
-/// for neighbours in a local run, a seed without a random field. The keys that a run leaves in its case.toml pass.
+/// Warns of keys that were given, with another value than their default, and have no effect because of others: a search
+/// for neighbours in a local run, a seed without a random field. The case.toml that a run writes causes no warning.
 /// @param keys with the defaults in force
 void check_idle_keys(const CaseFile& given, const Keys& keys, const Values& values, std::vector<Finding>& warnings);
 

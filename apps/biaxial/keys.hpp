@@ -1,5 +1,4 @@
-/// The keys of a biaxial case: one table that makes the validator, `--help`, `riedel list`, the reference and the
-/// schema.
+/// The keys of a biaxial case: one table for the validator, `--help`, `riedel list`, the reference and the schema.
 #pragma once
 
 #include "apps/biaxial/case.hpp"
@@ -14,10 +13,10 @@ namespace riedel {
 /// that the law's name is the only error
 Keys biaxial_keys(const Catalogue& catalogue, std::string_view model);
 
-/// What one key cannot see.
+/// Checks that concern several keys.
 Diagnostics check_biaxial(const BiaxialCase& values, const Catalogue& catalogue);
 
-/// @throws InputError with a line for everything that is wrong
+/// @throws InputError with a line for every error
 CheckedCase biaxial_case(const CaseFile& given, const Catalogue& catalogue);
 
 } // namespace riedel

@@ -14,7 +14,7 @@ namespace riedel {
 
 namespace {
 
-bool holds(const CaseFile&) { return true; } // of what no other kind does
+bool holds(const CaseFile&) { return true; } // takes whatever no other kind takes
 
 std::vector<std::string> words(const CaseFile&) { return {"biaxial"}; }
 

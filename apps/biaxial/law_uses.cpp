@@ -25,14 +25,14 @@ bool is_on(const Values& values, const std::string& key) { return values.has(key
 
 std::string reason(const Values& v, const std::string& model) {
   if (is_on(v, "material.intergranular_strain"))
-    return "with intergranular strain the law takes nothing averaged"; // a small strain has no width to keep
+    return "with intergranular strain the law uses no average"; // a small strain has no width to keep
   const std::string name = "\"" + model + "\" ";
-  if (v.has("material.takes_average")) return name + "takes nothing averaged without material.takes_average = true";
-  if (v.has("material.softening_strain")) return name + "takes nothing averaged while it does not soften";
-  return name + "takes nothing averaged";
+  if (v.has("material.takes_average")) return name + "uses no average without material.takes_average = true";
+  if (v.has("material.softening_strain")) return name + "uses no average while it does not soften";
+  return name + "uses no average";
 }
 
-/// Laws that take the void ratio, among those of the catalogue with their own defaults.
+/// The laws of the catalogue that use the void ratio, with their own defaults.
 std::string laws_with_void_ratio(const Catalogue& catalogue) {
   std::string names;
   for (const auto& law : catalogue.materials.entries()) {
@@ -45,13 +45,13 @@ std::string laws_with_void_ratio(const Catalogue& catalogue) {
   return names;
 }
 
-/// A factor so great that a parameter leaves its bounds.
+/// Refuses a factor that moves a parameter out of its bounds.
 void check_weakened(const LawUses& uses, const Values& v, const Catalogue& catalogue, std::vector<Finding>& errors) {
   const double factor = v.number("imperfection.factor");
   try {
     (void)catalogue.materials.find(uses.model).make(weakened(v.section("material"), factor));
   } catch (const InputError& error) {
-    errors.push_back({{"imperfection.factor"}, exact_text(factor) + " makes of the law: " + error.what()});
+    errors.push_back({{"imperfection.factor"}, exact_text(factor) + " makes the law invalid: " + error.what()});
   }
 }
 
@@ -65,7 +65,7 @@ void check_patch(const LawUses& uses, const Values& v, std::vector<Finding>& err
                           ", which has no parameters of strength (cohesion, friction_angle, phi_c); allowed: 1"});
   else if (!uses.void_ratio && factor == 1.0 && size[0] * size[1] > 0.0)
     errors.push_back({{"imperfection.size", "imperfection.factor", "material.model"},
-                      patch + " means nothing to " + name + ", which knows no void ratio" +
+                      patch + " means nothing to " + name + ", which has no void ratio" +
                           (uses.strength ? "; allowed: [0, 0], or a weak patch by imperfection.factor, such as 0.8"
                                          : " and no strength; allowed: [0, 0]")});
 }
@@ -102,9 +102,9 @@ std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const Cas
   if (!uses.void_ratio && (!uses.strength || values.number("imperfection.factor") == 1.0)) {
     Key& size = named(keys, "imperfection.size");
     size.default_value = std::vector<double>{0.0, 0.0};
-    size.doc += "; here none, since \"" + uses.model + "\" knows no void ratio";
+    size.doc += "; here none, since \"" + uses.model + "\" has no void ratio";
     if (!is_given(given, size.name))
-      notes.push_back(size.name + " = [0, 0]: \"" + uses.model + "\" knows no void ratio, so there is no loose patch" +
+      notes.push_back(size.name + " = [0, 0]: \"" + uses.model + "\" has no void ratio, so there is no loose patch" +
                       (uses.strength ? "; imperfection.factor makes a weak one" : ""));
   }
   return notes;
@@ -120,7 +120,7 @@ void check_uses(const LawUses& uses, const CaseFile& given, const Values& values
       if (is_given(given, key))
         errors.push_back({{key, "material.model"},
                           toml_text(values.at(key)) + " means nothing: \"" + uses.model +
-                              "\" knows no void ratio; leave it out, or take one of the laws that do: " +
+                              "\" has no void ratio; leave it out, or take one of the laws that have it: " +
                               laws_with_void_ratio(catalogue)});
   check_patch(uses, values, errors);
   if (uses.strength && values.number("imperfection.factor") != 1.0) check_weakened(uses, values, catalogue, errors);

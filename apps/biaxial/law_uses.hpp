@@ -1,4 +1,4 @@
-/// Which keys of a biaxial case mean anything to the case's law.
+/// Which keys of a biaxial case its law can use.
 #pragma once
 
 #include "core/case/checked_case.hpp"
@@ -8,11 +8,11 @@
 
 namespace riedel {
 
-/// What a law can use of what the test offers.
+/// The features of the test that a law can use.
 struct LawUses {
   std::string model;
   std::vector<std::string> averaged; ///< scalars that it can take averaged
-  std::string why_local;             ///< without any: the reason, as a sentence that begins with the law's name
+  std::string why_local;             ///< if there are none: the reason, as a sentence that begins with the law's name
   bool void_ratio = true;
   bool strength = true; ///< it has parameters of strength, which a weak zone can lower
 };
@@ -20,15 +20,15 @@ struct LawUses {
 /// Of the law that the values name; none where it cannot be made.
 std::optional<LawUses> law_uses(const Values& values, const Catalogue& catalogue);
 
-/// Gives keys that mean nothing to the law the default that says so: no averaging, no patch.
-/// @return what to tell of it, a line each
+/// Changes the defaults of keys that the law cannot use: no averaging, no patch.
+/// @return notes for the user, one line each
 std::vector<std::string> fit_defaults(Keys& keys, const LawUses& uses, const CaseFile& given, const Values& values);
 
-/// Refuses what was asked for and means nothing to the law.
+/// Refuses given keys that the law cannot use.
 void check_uses(const LawUses& uses, const CaseFile& given, const Values& values, const Catalogue& catalogue,
                 std::vector<Finding>& errors);
 
-/// Takes the keys out of the table that the law cannot use.
+/// Removes the keys that the law cannot use from the table.
 void leave_out_useless(Keys& keys, const LawUses& uses);
 
 } // namespace riedel

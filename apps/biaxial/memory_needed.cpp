@@ -15,7 +15,7 @@ namespace riedel {
 
 namespace {
 
-// Measured: what stays in use beside the arrays that are counted here.
+// Measured: memory in use besides the arrays that are counted here.
 constexpr double bytes_of_program = 57e6;
 constexpr double bytes_of_pictures = 32e6; ///< while they are drawn, when frames have been written
 constexpr double little_room = 3 << 20;    ///< stencils are kept up to here in any case
@@ -34,7 +34,7 @@ double columns_of_a_point(const ShapeFunction<Dim>& scheme, const VelocityTransf
   return columns + scheme.point_data_size() + transfer.point_data_size();
 }
 
-/// Numbers that a frame holds of a point: place, corners, the law's state and what `snapshot` adds to it.
+/// Numbers that a frame holds for a point: position, corners, the law's state and what `snapshot` adds to it.
 template <int Dim>
 double fields_of_a_frame(int states) {
   constexpr double others = 20; // stress and velocity count three and six times
@@ -135,7 +135,7 @@ void require_memory(const BiaxialCase& values, const Catalogue& catalogue, const
                           std::string(reasons::too_large) + " " + bytes_text(need.of_case()) + " of memory, " +
                               bytes_text(need.neighbours) + " of them for neighbours within nonlocal.length, and " +
                               there.by + " " + bytes_text(there.bytes) +
-                              "; take fewer grid.cells, fewer specimen.points_per_cell or a shorter nonlocal.length"};
+                              "; use fewer grid.cells, fewer specimen.points_per_cell or a shorter nonlocal.length"};
   throw InputError(file.lines({too_large}));
 }
 

@@ -7,7 +7,7 @@
 
 namespace riedel {
 
-/// Shares of the greatest amount at any time [bytes].
+/// Parts of the maximum amount at any time [bytes].
 struct MemoryNeeded {
   double program = 0.0; ///< itself, with its libraries
   double points = 0.0, nodes = 0.0, stencils = 0.0;
@@ -17,14 +17,14 @@ struct MemoryNeeded {
   [[nodiscard]] double all() const { return program + of_case(); }
 };
 
-/// Within 30 % of what is measured (tests/apps/test_memory.cpp), from the case's numbers alone: nothing is allocated.
+/// Within 30 % of measurements (tests/apps/test_memory.cpp), from the case's numbers alone: nothing is allocated.
 MemoryNeeded memory_needed(const BiaxialCase& values, const Catalogue& catalogue);
 
-/// Pairs of points of a regular lattice that are no further apart than `radius`, each with itself and both ways.
+/// Pairs of points of a regular lattice at most `radius` apart, each point with itself and each pair in both orders.
 /// @param counts of points along each axis   @param spacing between them [m]   @param radius [m]
 double pairs_within(const std::array<double, 3>& counts, const std::array<double, 3>& spacing, double radius);
 
-/// @throws InputError that names the keys, when the case needs more memory than there is
+/// @throws InputError that names the keys if the case needs more memory than there is
 void require_memory(const BiaxialCase& values, const Catalogue& catalogue, const CaseFile& file);
 
 } // namespace riedel

@@ -10,7 +10,7 @@ namespace riedel {
 
 namespace {
 
-/// What the rates are that a case leaves to the speed of waves.
+/// The rates that are derived from the wave speed.
 std::string rates_text(const BiaxialCase& v, const Catalogue& catalogue) {
   const auto law = catalogue.materials.find(v.material.model).make(v.material.parameters);
   Model<2> model;

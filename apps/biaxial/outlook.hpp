@@ -1,4 +1,4 @@
-/// What a run of the biaxial test will take.
+/// The expected cost of a biaxial test.
 #pragma once
 
 #include "apps/biaxial/case.hpp"
@@ -7,7 +7,7 @@
 
 namespace riedel {
 
-/// Points, steps and time, cells, memory and threads, as comments behind a case.
+/// Points, steps and time, cells, memory and threads, as comments after a case.
 std::string biaxial_outlook(const BiaxialCase& values, const Catalogue& catalogue, ThreadRange threads);
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// What makes a biaxial specimen less than perfect: a loose or weak patch, a random field of void ratios.
+/// Imperfections of the biaxial specimen: a loose or weak patch, a random field of void ratios.
 #pragma once
 
 #include "apps/biaxial/case.hpp"
@@ -22,7 +22,7 @@ struct SpecimenPatch {
   [[nodiscard]] bool contains(const Place& x) const {
     return within(0, x[0]) && within(1, x[1]);
   }
-  /// Is there a point of the case's specimen in it?
+  /// Whether it contains a point of the case's specimen.
   [[nodiscard]] bool holds_a_point(const BiaxialCase& values) const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 constexpr double max_samples = 4e6;         ///< a second or two
 constexpr std::size_t rows_at_once = 128;   ///< of samples
 constexpr double samples_per_length = 16.0; ///< between which a field falls short of its extremes by 2 % of σ
-constexpr double near_limit = 0.1;          ///< of σ: there every point is looked at
+constexpr double near_limit = 0.1;          ///< of σ: there every point is checked
 
 struct Outlier {
   Vec<2> x;
@@ -112,7 +112,7 @@ void check_random_field(const BiaxialCase& v, const Catalogue& catalogue, Diagno
   const auto law = catalogue.materials.find(model).make(v.material.parameters);
   if (state_column(law->states(), "void_ratio") < 0) {
     found.errors.push_back({{"imperfection.deviation", "material.model"},
-                            "\"" + model + "\" knows no void ratio that could be random; take 0"});
+                            "\"" + model + "\" has no void ratio that could be random; take 0"});
     return;
   }
   const bool bounded = has_limits_of_void_ratio(v.keys);
@@ -123,12 +123,14 @@ void check_random_field(const BiaxialCase& v, const Catalogue& catalogue, Diagno
   if (const auto outlier = search.find())
     found.errors.push_back(
         {keys, "the random field gives the point at (" + rounded(outlier->x[0]) + ", " + rounded(outlier->x[1]) +
-                   ") m the void ratio " + exact_text(outlier->void_ratio) + " is out of range; the law allows " +
+                   ") m the void ratio " + exact_text(outlier->void_ratio) +
+                   ", which is out of range; the law allows " +
                    (bounded ? "(" + rounded(limits.lower) + ", " + rounded(limits.upper) + "] at the confining pressure"
                             : "> 0")});
   else if (!search.is_complete())
-    found.warnings.push_back({keys, "of the many points one in " + std::to_string(search.points_per_sample()) +
-                                        " was looked at: the void ratio of another may be out of the law's range"});
+    found.warnings.push_back(
+        {keys, "only one in " + std::to_string(search.points_per_sample()) +
+                   " points was checked: the void ratio of another may be out of the law's range"});
 }
 
 } // namespace riedel

@@ -1,4 +1,4 @@
-/// Does the law admit what a random field of void ratios gives to the points?
+/// Whether the law admits the void ratios that a random field gives to the points.
 #pragma once
 
 #include "apps/biaxial/case.hpp"
@@ -7,9 +7,9 @@
 
 namespace riedel {
 
-/// Refuses a field that gives a point a void ratio out of the law's limits, and names one. A field that is smooth
-/// between the points is looked at more coarsely than they stand, and near the limits at every point; of points that
-/// are too many to look at, evenly spread ones, with a warning.
+/// Refuses a field that gives a point a void ratio out of the law's limits, and names such a point. A field that is
+/// smooth between the points is sampled more coarsely, and near the limits at every point; if there are too many points
+/// to check, at evenly spaced ones, with a warning.
 void check_random_field(const BiaxialCase& values, const Catalogue& catalogue, Diagnostics& found);
 
 } // namespace riedel

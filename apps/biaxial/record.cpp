@@ -29,7 +29,7 @@ const std::vector<std::string> columns{"step",
                                        "stressless",
                                        "block_velocity_m_per_s",
                                        "transfer_J_per_m"};
-constexpr double swing_part = 0.01; ///< u/h0 at the end of a run over which the blocks' velocity is looked at
+constexpr double swing_part = 0.01; ///< u/h0 at the end of a run over which the blocks' velocity is evaluated
 } // namespace
 
 template <int Dim>

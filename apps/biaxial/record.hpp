@@ -1,4 +1,4 @@
-/// The biaxial test while it runs: advances, records, and tells what it found.
+/// The biaxial test while it runs: advances it, and records and reports its results.
 #pragma once
 
 #include "apps/biaxial/specimen.hpp"
@@ -31,8 +31,8 @@ class BiaxialRun {
 public:
   using Stepper = typename Run<Dim>::Stepper;
 
-  /// Makes the specimen; the folder receives nothing but places for frames. Throws InputError or RunError.
-  /// @param stepper does a step, on as many threads as it likes
+  /// Makes the specimen; only the subfolders for frames are created in the folder. Throws InputError or RunError.
+  /// @param stepper runs a step, on as many threads as it chooses
   BiaxialRun(
       const BiaxialCase& values, const Catalogue& catalogue, std::filesystem::path folder,
       Stepper stepper = [](const auto& step) { step(); });
@@ -41,7 +41,7 @@ public:
 
   /// Writes the first row and frame. Throws RunError.
   void begin();
-  /// Goes on until the final strain, or until `stop()` says so between two steps, and ends with a row and a frame.
+  /// Continues to the final strain, or until `stop()` is true between two steps, and ends with a row and a frame.
   /// Throws RunError.
   void advance(const std::function<bool()>& stop, const std::function<void(const BiaxialRow&)>& at_row);
 
@@ -50,17 +50,16 @@ public:
   [[nodiscard]] double u_over_h() const { return u_ / values_.specimen.height; }
   [[nodiscard]] Frame frame() const;   ///< the present
   [[nodiscard]] Frame section() const; ///< the same in the plane: the mean over the depth
-  /// Kinetic over internal energy, the greatest value past u/h0 = 0.5 %; not a number for a run that has not come
-  /// that far [-].
+  /// Kinetic over internal energy, the maximum after u/h0 = 0.5 %; not a number for a run that has not reached it [-].
   [[nodiscard]] double kinetic_over_internal() const { return kinetic_.maximum(); }
   [[nodiscard]] const TimeStepWatch& time_step() const { return time_step_; }
-  /// The keys of summary.json that the run itself knows; null for what it cannot have.
+  /// The entries of summary.json that the run itself knows; null for those without a value.
   [[nodiscard]] nlohmann::ordered_json summary() const;
-  /// Of summary.json's stress, what does not look at the band.
+  /// The part of `stress` in summary.json that does not depend on the band.
   [[nodiscard]] nlohmann::ordered_json quality() const;
 
 private:
-  /// Mean over the last 1 % of u/h0, of a run that has come to its final strain and whose peak lies before [deg].
+  /// Mean over the last 1 % of u/h0, for a run that has reached its final strain and whose peak lies before [deg].
   [[nodiscard]] double residual_angle(double u_over_h_at_peak) const;
   [[nodiscard]] SpecimenRows rows_of_points() const;
   void add_up_force();

@@ -32,7 +32,7 @@ std::string strength_lines(const ordered_json& s) {
          " at u/h0 = " + figure(s, "u_over_h_at_peak", 100.0, 2, " %") +
          (rising ? ", still rising where the run ends" : "") + "\nresidual   " +
          figure(s, "phi_residual_deg", 1.0, 2, " deg") +
-         (std::isnan(residual) ? " (of a run that comes to its final strain, 1 % of u/h0 and more past the peak)\n"
+         (std::isnan(residual) ? " (only for a run to its final strain, at least 1 % of u/h0 after the peak)\n"
                                : " (mean of the last 1 % of u/h0)\n");
 }
 

@@ -24,7 +24,7 @@ std::int64_t in_thousandths(double x) {
   return std::llround(std::round(x / unit) * unit);
 }
 
-/// What the checks look at.
+/// The input of the checks.
 struct Sense {
   const BiaxialCase& v;
   const Material& law;
@@ -53,8 +53,8 @@ void check_lengths(const Sense& s) {
                  "; allowed: at most " + metres(maximum) + unit + "\"1.5 mm\"");
   else if (3.0 * l_c > minimum)
     s.warn({l, "specimen.width", "specimen.height"},
-           s.value(l, "m") + ": the average reaches 3 l_c = " + metres(3.0 * l_c) + " to each side, over all of the " +
-               metres(minimum) + " of the specimen");
+           s.value(l, "m") + ": the average extends 3 l_c = " + metres(3.0 * l_c) +
+               " to each side, across the whole specimen of " + metres(minimum));
   for (const char* edge : {"specimen.width", "specimen.height"})
     if (const double x = s.v.keys.number(edge); x > 10.0 || x < 1e-3)
       s.warn({edge}, "a specimen of " + metres(x) + unit + "\"40 mm\"");
@@ -78,17 +78,17 @@ void check_loading(const Sense& s) {
     s.warn({p, gravity, "specimen.height"},
            pascals(pressure) + " is less than the specimen's own weight at its foot, " + pascals(weight) +
                "; a number is in Pa, a text may have a unit: \"50 kPa\"");
-  if (pressure > 1e8) s.warn({p}, pascals(pressure) + " crushes grains of sand, which begins at some 10 MPa");
+  if (pressure > 1e8) s.warn({p}, pascals(pressure) + " crushes sand grains, which begins at about 10 MPa");
   if (v >= s.wave_speed)
-    s.refuse({speed}, s.value(speed, "m/s") + " outruns the waves in the specimen, " + number(s.wave_speed) +
+    s.refuse({speed}, s.value(speed, "m/s") + " is faster than the waves in the specimen, " + number(s.wave_speed) +
                           " m/s; allowed: less than that, and less than 2 % of it for a quasi-static test");
   else if (v > hardly * s.wave_speed)
     s.warn({speed}, s.value(speed, "m/s") + " is " + number(100.0 * v / s.wave_speed) +
                         " % of the speed of waves in the specimen, " + number(s.wave_speed) +
                         " m/s: above 2 % a test is hardly quasi-static");
   if (s.wave_speed < 1.0 || s.wave_speed > 2e4)
-    s.warn({"material.model"},
-           "waves run at " + number(s.wave_speed) + " m/s in the specimen at the start: a stiffness in another unit?");
+    s.warn({"material.model"}, "waves travel at " + number(s.wave_speed) +
+                                   " m/s in the specimen at the start: a stiffness in another unit?");
 }
 
 void check_times(const Sense& s, const CaseFile& given) {
@@ -99,7 +99,7 @@ void check_times(const Sense& s, const CaseFile& given) {
   if (is_given && s.v.keys.number(ramp) > std::max(at_speed, 5e-3))
     s.warn({ramp, "loading.speed", "loading.final_strain"},
            s.value(ramp, "s") + " is " + number(s.v.keys.number(ramp) / at_speed) +
-               " times as long as the test takes at full speed, " + number(at_speed) +
+               " times the duration of the test at full speed, " + number(at_speed) +
                " s: the speed still rises at its end");
   constexpr double absurd = 20.0;
   if (!s.v.keys.is_text(step) && s.v.keys.number(step) > absurd * s.expected.limit)
@@ -111,7 +111,7 @@ void check_times(const Sense& s, const CaseFile& given) {
 void check_filter(const Sense& s) {
   const std::string rate = "time.stress_filter";
   if (!s.v.keys.is_text(rate) && s.v.keys.number(rate) * s.expected.step > 1.0)
-    s.refuse({rate}, s.value(rate, "1/s") + " is over one in a time step of " + number(s.expected.step) +
+    s.refuse({rate}, s.value(rate, "1/s") + " is more than one per time step of " + number(s.expected.step) +
                          " s; allowed: up to " + number(1.0 / s.expected.step) + " 1/s, and 0 for none");
 }
 
@@ -124,11 +124,11 @@ void check_grid(const Sense& s) {
     s.warn({cells}, "cells of " + metres(h) + " by " + metres(v) + " are " + number(aspect) +
                         " times as long as wide; the specimen is " + metres(s.width) + " by " + metres(s.height));
   if (std::min(h, v) < 1e-4)
-    s.warn({cells}, "cells of " + metres(h) + " by " + metres(v) + " are smaller than grains of sand, some 0.5 mm");
+    s.warn({cells}, "cells of " + metres(h) + " by " + metres(v) + " are smaller than sand grains, about 0.5 mm");
   if (const SpecimenPatch patch(s.v); !patch.is_empty() && !patch.holds_a_point(s.v))
     s.warn({"imperfection.size", "imperfection.centre", cells},
            "the patch of " + metres(patch.size[0]) + " by " + metres(patch.size[1]) +
-               " holds the middle of no point: there is no patch; points are " +
+               " contains the centre of no point: there is no patch; points are " +
                metres(h / static_cast<double>(s.v.specimen.points_per_cell)) + " by " +
                metres(v / static_cast<double>(s.v.specimen.points_per_cell)) + " apart");
 }
@@ -144,7 +144,7 @@ void check_output(const Sense& s) {
                                                number(s.expected.points) + " points");
 }
 
-/// The first of the keys that make work which was given.
+/// The first given key of those that determine the work.
 std::string key_of_work(const CaseFile& given) {
   for (const std::string key : {"grid.cells", "specimen.points_per_cell", "time.step", "time.cfl", "loading.speed",
                                 "loading.final_strain", "nonlocal.length"}) {
@@ -176,7 +176,7 @@ std::vector<Finding> time_step_doubts(const BiaxialCase& v, const ExpectedWork& 
   if (v.keys.is_text("time.step") || v.keys.number("time.step") <= expected.limit) return {};
   return {{{"time.step"},
            exact_text(v.keys.number("time.step")) + " s is over the stable limit, " + short_text(expected.limit) +
-               " s at the start: the run may blow up, or be wrong without a sign"}};
+               " s at the start: the run may become unstable, or be wrong without warning"}};
 }
 
 void check_sense(const CaseFile& given, const BiaxialCase& v, const Catalogue& catalogue, Diagnostics& found) {
@@ -184,7 +184,7 @@ void check_sense(const CaseFile& given, const BiaxialCase& v, const Catalogue& c
   std::unique_ptr<Material> law;
   try {
     law = catalogue.materials.find(v.material.model).make(v.material.parameters);
-  } catch (const std::runtime_error&) { return; } // told with its place by whoever makes it for good
+  } catch (const std::runtime_error&) { return; } // reported with its place when the run makes it
   const WaveSpeeds speeds = wave_speeds(v, *law);
   const Sense sense{v, *law, expected_work(v, speeds), v.specimen.width, v.specimen.height, speeds.at_start, found};
   check_lengths(sense);

@@ -1,4 +1,4 @@
-/// Numbers of a biaxial case that are allowed and make no sense, as when a unit is forgotten: 1.5 for 1.5 mm.
+/// Numbers of a biaxial case that are allowed but make no sense, as when a unit is forgotten: 1.5 for 1.5 mm.
 #pragma once
 
 #include "apps/biaxial/case.hpp"
@@ -8,8 +8,8 @@
 
 namespace riedel {
 
-/// Refuses what is surely absurd and warns of what is likely so, with the number that tells. Looks at a case without
-/// errors alone.
+/// Refuses numbers that are certainly absurd and warns of those that probably are, with the value that shows it. Checks
+/// only a case without errors.
 void check_sense(const CaseFile& given, const BiaxialCase& values, const Catalogue& catalogue, Diagnostics& found);
 
 /// Points, steps and time, from the law's own wave speed.
@@ -18,7 +18,7 @@ ExpectedWork expected_work_of(const BiaxialCase& values, const Catalogue& catalo
 /// "2016 points, 41000 steps of 2.1e-06 s, about 40 s on one thread"
 std::string expected_text(const ExpectedWork& expected);
 
-/// A time step over the stable one, of which a run itself warns when it begins. Empty: it is not.
+/// The warning of a time step over the stable one, which a run itself gives when it begins. Empty: none.
 std::vector<Finding> time_step_doubts(const BiaxialCase& values, const ExpectedWork& expected);
 
 } // namespace riedel

@@ -15,7 +15,7 @@ namespace riedel {
 
 namespace {
 
-/// The case's law; with a strength of its own in the patch where that is another.
+/// The case's law; with another strength in the patch if the case says so.
 std::unique_ptr<Material> make_law(const BiaxialCase& v, const Catalogue& catalogue) {
   const auto& law = catalogue.materials.find(v.material.model);
   const Values material = v.material.parameters;
@@ -58,7 +58,7 @@ void set_averager(Body<Dim>& body, const BiaxialCase& v, const Catalogue& catalo
   const std::vector<std::string> offered = body.material->nonlocal_variables();
   if (length == 0.0 || offered.empty()) return;
   if (std::find(offered.begin(), offered.end(), variable) == offered.end())
-    throw InputError("nonlocal.variable = \"" + variable + "\": the law does not take it averaged");
+    throw InputError("nonlocal.variable = \"" + variable + "\": the law cannot use its average");
   body.averaged_state = state_column(body.material->states(), variable);
   body.averager = catalogue.in<Dim>()
                       .averagers.find(v.nonlocal.averager)
@@ -83,7 +83,7 @@ Simulation<Dim> make_biaxial(const BiaxialCase& v, const Catalogue& catalogue) {
   model.scheme = catalogue.in<Dim>().schemes.find(v.scheme).make(v.interpolation);
   std::unique_ptr<Material> law = make_law(v, catalogue);
   set_biaxial_step(model, v, catalogue, *law);
-  model.stress_filter.volume_axes = 2; // plane strain, in a slab as well
+  model.stress_filter.volume_axes = 2; // plane strain, also in a slab
 
   const SpecimenGeometry<Dim> specimen(v, *model.scheme);
   model.gravity.template head<2>() = -v.loading.gravity * specimen.turn.rotation.col(1);

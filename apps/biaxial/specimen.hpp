@@ -13,13 +13,14 @@ namespace riedel {
 template <int Dim = 2>
 Simulation<Dim> make_biaxial(const BiaxialCase& values, const Catalogue& catalogue);
 
-/// What the keys of the step say. In the time between two crossings of a slow test's wave little is loaded, and the
-/// noise of points that cross cells, which comes by the way they go, weighs more beside ‖D‖: so "auto" damps the more
-/// the slower the test, from 7·10⁻⁵ strains in the time that a wave takes across the width down.
+/// Applies the keys of the step. In a slow test the strain between two crossings of a wave is small, and the noise of
+/// points that cross cells, which depends on their displacement, is larger relative to ‖D‖. So "auto" damps a slower
+/// test more, below a strain of 7·10⁻⁵ in the time that a wave takes across the width.
 template <int Dim>
 void set_biaxial_step(Model<Dim>& model, const BiaxialCase& values, const Catalogue& catalogue, const Material& law);
 
-/// Vertical force on the top platen, compression positive, with the part that balances the confining pressure [N/m].
+/// Vertical force on the top platen, compression positive, including the part that balances the confining pressure
+/// [N/m].
 template <int Dim>
 double platen_force(const Simulation<Dim>& simulation, const BiaxialCase& values);
 /// The same times the last time step [N s/m].
@@ -29,12 +30,13 @@ double platen_impulse(const Simulation<Dim>& simulation, const BiaxialCase& valu
 /// φ_mob = asin((σ1 − σ3)/(σ1 + σ3)) with σ1 = force/b0 and σ3 the confining pressure [deg].
 double mobilised_angle(double force, const BiaxialCase& values);
 
-/// The same with the true stress: σ1 acts on the present width. The force in excess of the confining pressure is the
-/// platen's; what the pressure does grows with the width, and is not in `force`, which goes by the initial one [deg].
+/// The same with the true stress: σ1 acts on the present width. Only the force in excess of the confining pressure is
+/// divided by it, because `force` contains the pressure on the initial width [deg].
 double true_angle(double force, double width, const BiaxialCase& values);
 
-/// Width of the specimen at its ends, from the first to the last point of the rows at both platens: what carries the
-/// force. Volume over height, as laboratories correct, would count the offset of the blocks beside a band as width [m].
+/// Width of the specimen at its ends, from the first to the last point of the rows at both platens: the width that
+/// carries the force. The usual laboratory correction, volume over height, would count the offset of the blocks beside
+/// a band as width [m].
 template <int Dim>
 double present_width(const Points<Dim>& points, const BiaxialCase& values);
 

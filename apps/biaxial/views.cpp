@@ -58,15 +58,15 @@ std::string text_of(const ordered_json& json, const char* name, double unit, int
 } // namespace
 
 PageTable band_table(Runs runs) {
-  PageTable table{.caption =
-                      "Strength, and the shear band at the end of each run. t_s: thickness, by the void ratio as the "
-                      "paper does it, and as the full width at half maximum of the rise of e, and of the rate ‖D‖. "
-                      "Scatter: of the pressure about its local mean in the band, which no curve shows; above 10 % the "
-                      "stresses there are unsound.",
-                  .header = {"run", "φ peak [°]", "at u/h₀ [%]", "φ residual [°]", "band", "θ [°]", "t_s by e [mm]",
-                             "t_s by e / l_c", "t_s half max. of e [mm]", "t_s half max. of ‖D‖ [mm]", "e inside",
-                             "scatter of p [%]", "without stress"},
-                  .rows = {}};
+  PageTable table{
+      .caption = "Strength, and the shear band at the end of each run. t_s: thickness, by the void ratio as in "
+                 "the paper, and as the full width at half maximum of the increase of e and of the rate ‖D‖. "
+                 "Scatter: of the pressure about its local mean in the band, not visible in the curves; above 10 % "
+                 "the stresses there are unreliable.",
+      .header = {"run", "φ peak [°]", "at u/h₀ [%]", "φ residual [°]", "band", "θ [°]", "t_s by e [mm]",
+                 "t_s by e / l_c", "t_s half max. of e [mm]", "t_s half max. of ‖D‖ [mm]", "e inside",
+                 "scatter of p [%]", "without stress"},
+      .rows = {}};
   for (const RunResult& run : runs) {
     const ordered_json band = band_of(run), quality = quality_of(run);
     table.rows.push_back({{{run.label},
@@ -90,8 +90,8 @@ PageTable band_table(Runs runs) {
 PageTable cost_table(Runs runs) {
   PageTable table{
       .caption = "Energies at the end, per metre of depth, and what the run took. Kinetic over internal energy: "
-                 "the greatest value past u/h₀ = 0.5 %. Lost: what the nodes did not give back to the points; "
-                 "open: what no account has.",
+                 "the maximum after u/h₀ = 0.5 %. Lost: energy that the nodes did not return to the points; "
+                 "open: energy not accounted for.",
       .header = {"run", "internal [J/m]", "external [J/m]", "kinetic/internal", "lost/external [%]",
                  "open/external [%]", "mass error", "points", "steps", "wall time [s]", "ns per point and step"},
       .rows = {}};

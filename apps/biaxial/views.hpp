@@ -1,4 +1,4 @@
-/// What runs of the biaxial test look like in tables.
+/// Tables of runs of the biaxial test.
 #pragma once
 
 #include "core/campaign/run_result.hpp"
@@ -10,10 +10,10 @@ PageTable band_table(Runs runs);
 /// Energies, mass, steps and time.
 PageTable cost_table(Runs runs);
 
-/// Strength and band of a run that is done, in one line.
+/// Strength and band of a completed run, in one line.
 std::string biaxial_outcome(const nlohmann::ordered_json& summary);
 
-/// What tables take for granted of the summary of a run that is done. @throws InputError
+/// Checks what the tables need of the summary of a completed run. @throws InputError
 void check_biaxial_summary(const nlohmann::ordered_json& summary);
 
 } // namespace riedel

@@ -1,5 +1,4 @@
-/// riedel compare: one case under many settings, side by side; riedel collect: the same from what has been run
-/// elsewhere.
+/// riedel compare: one case under many settings, side by side; riedel collect: the same from runs made elsewhere.
 #include "apps/built_in.hpp"
 #include "apps/commands.hpp"
 #include "apps/compare/study.hpp"
@@ -40,7 +39,7 @@ void print_runs(const Plan& plan) {
   }
 }
 
-/// Tables and report of what the folder holds. @return the exit code: 3 if not one run came to a good end
+/// Tables and report of the runs in the folder. @return the exit code: 3 if no run completed
 int write_results(const Plan& plan, const fs::path& folder) {
   const std::vector<RunResult> results = results_of(plan, folder);
   write_atomically(folder / "results.csv", results_csv(results));
@@ -80,7 +79,7 @@ int compare(const Arguments& arguments) {
   const OpenCampaign campaign = open_campaign(folder, plan, arguments.force(), run_kinds());
   if (kind) {
     const fs::path script = write_script(*kind, plan, folder);
-    std::cout << "written to " << script.string() << "; when its runs are over: riedel collect " << folder.string()
+    std::cout << "written to " << script.string() << "; when its runs have ended: riedel collect " << folder.string()
               << "\n";
     return 0;
   }
@@ -93,7 +92,7 @@ int collect(const Arguments& arguments) {
   if (arguments.words.empty()) throw InputError("riedel collect needs the folder of a campaign");
   const fs::path folder = arguments.words.front();
   const Plan plan = read_campaign(folder, run_kinds());
-  const FolderLock lock(folder, arguments.command); // or what a campaign writes at its end could be older than this
+  const FolderLock lock(folder, arguments.command); // otherwise a campaign could write older results at its end
   return write_results(plan, folder);
 }
 

@@ -21,7 +21,7 @@ void refuse_unknown(const CaseFile& file) {
                        "; [compare] takes title, schemes, vary");
 }
 
-/// Puts a variation in the place of an earlier one of the same key, else at the end.
+/// Replaces an earlier variation of the same key, or appends the variation.
 void put(std::vector<Variation>& variations, Variation variation) {
   const auto same = std::ranges::find(variations, variation.key, &Variation::key);
   if (same == variations.end())

@@ -1,4 +1,4 @@
-/// Which runs a command and its case file ask for.
+/// The runs that a command and its case file request.
 #pragma once
 
 #include "apps/command_line.hpp"
@@ -6,15 +6,15 @@
 
 namespace riedel {
 
-/// One case, and what is varied of it.
+/// A case and its variations.
 struct Study {
   std::string title;
-  CaseFile given; ///< what does not change
+  CaseFile given; ///< the keys that do not vary
   std::vector<Variation> variations;
 };
 
-/// From the case file's section [compare] (title, schemes, vary) and from --schemes and --vary. The command line has
-/// the last word, key by key. "all" stands for all schemes. @throws InputError for what is wrong or empty in either
+/// From the case file's section [compare] (title, schemes, vary) and from --schemes and --vary. The command line takes
+/// precedence, key by key. "all" stands for all schemes. @throws InputError for anything wrong or empty in either
 Study study_of(const Arguments& arguments);
 
 } // namespace riedel

@@ -5,7 +5,7 @@
 
 namespace riedel {
 
-/// Names and meanings are those of the keys; docs/input.md has them. Lengths in m, stresses in Pa, times in s.
+/// Names and meanings are those of the keys in docs/input.md. Lengths in m, stresses in Pa, times in s.
 struct ElementCase {
   struct Driver {
     std::string kind;
@@ -16,13 +16,13 @@ struct ElementCase {
     Values parameters; ///< by their names without the section
   };
   struct Loading {
-    double pressure = 0.0;             ///< from all sides at the start, whatever the test calls it
+    double pressure = 0.0;             ///< from all sides at the start; the test has its own name for it
     double final_strain = 0.0;         ///< [-]
-    std::optional<double> limit = {};  ///< that ends the test earlier, in the unit of what the test limits
+    std::optional<double> limit = {};  ///< ends the test early, in the unit of the limited measure
     double rate = 0.0;                 ///< at one point [1/s]
     double speed = 0.0, ramp_time = 0; ///< of the driven plate
   };
-  /// Of cells, for the driver mpm.
+  /// For the driver mpm.
   struct Specimen {
     double size = 0.0;
     std::int64_t cells = 1, points_per_cell = 1; ///< along each edge
@@ -35,11 +35,11 @@ struct ElementCase {
     std::array<double, 3> intergranular_strain{}; ///< compression positive [-]
   };
 
-  /// @param values of `element_keys`, whole
+  /// @param values of all `element_keys`
   explicit ElementCase(const Values& values);
 
   std::string test;
-  const ElementTest* named; ///< what the test is; none for a path of the case's own
+  const ElementTest* named; ///< the named test; null for a path
   double void_ratio;
   Law material;
   Driver driver;
@@ -50,7 +50,7 @@ struct ElementCase {
   Initial initial;           ///< of a path
   double every_strain;
   bool plots;
-  Values keys; ///< all of them, for messages and for what reads a section of its own, such as the step and the stages
+  Values keys; ///< all of them, for messages and for code that reads whole sections, such as the step and the stages
 };
 
 } // namespace riedel

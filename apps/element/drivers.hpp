@@ -1,4 +1,4 @@
-/// Who carries out an element test: from a case to a curve.
+/// The drivers of element tests: from a case to a curve.
 #pragma once
 
 #include "apps/element/case.hpp"
@@ -7,13 +7,13 @@
 
 namespace riedel {
 
-/// A driver returns what came out, also when the material could not follow: then `failure` says why.
+/// A driver returns its results even if the material could not follow the path; `failure` then says why.
 struct ElementDriver {
   std::string name, summary;
   ElementCurve (*run)(const ElementCase& given, const Catalogue& catalogue, const ElementWatch& watch);
 };
 
-/// A line each.
+/// One line each.
 const std::vector<ElementDriver>& element_drivers();
 std::vector<std::string> element_driver_names();
 /// The driver that the case names.

@@ -1,4 +1,4 @@
-/// Folders that an earlier `--vary` has filled, beside which new results must not stand.
+/// Folders of an earlier `--vary`, with which new results must not be mixed.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@ namespace riedel {
 
 class EarlierVariants {
 public:
-  /// Those below a folder, named after settings such as "void_ratio=0.6". @throws InputError when there are, unless
+  /// Those in a folder, named after settings such as "void_ratio=0.6". @throws InputError if there are any, unless
   /// `force`
   EarlierVariants(std::filesystem::path folder, bool force);
 
-  /// Removes their results and, when there is nothing else in them, them. A family of runs also has no case.toml in the
-  /// folder above.
-  /// @param input a case file that stays in any case   @throws InputError, RunError as `remove_run`
+  /// Removes their results, and the folders if nothing else is left in them. For a family of runs it also removes the
+  /// case.toml in the folder above.
+  /// @param input a case file that is never removed   @throws InputError, RunError as `remove_run`
   void remove(const std::string& command, const std::filesystem::path& input, bool family) const;
 
 private:

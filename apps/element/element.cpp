@@ -1,4 +1,4 @@
-/// riedel element: oedometer, triaxial, shear, biaxial, or a path of one's own, at one point or more.
+/// riedel element: oedometer, triaxial, shear, biaxial, or a user-defined path, at one point or more.
 #include "apps/built_in.hpp"
 #include "apps/commands.hpp"
 #include "apps/element/drivers.hpp"
@@ -110,7 +110,7 @@ struct Manner {
   ThreadRange threads;
 };
 
-/// Runs one case and leaves case.toml, element.csv and summary.json in its folder, and output.txt of an imported one.
+/// Runs one case and writes case.toml, element.csv and summary.json to its folder, and output.txt for an imported one.
 ElementCurve carry_out(const ElementRun& run, const Manner& manner) {
   const ElementCase& given = run.given;
   const bool shear = shears(given.test);
@@ -135,7 +135,7 @@ ElementCurve carry_out(const ElementRun& run, const Manner& manner) {
   return curve;
 }
 
-/// The same in a folder of its own; what ends the test by surprise is told in the summary.
+/// The same; an exception is recorded in the summary before it is passed on.
 ElementCurve carry_out_safely(const ElementRun& run, const Manner& manner) {
   try {
     return carry_out(run, manner);
@@ -160,7 +160,7 @@ void print_result(const NamedCurve& named) {
               100 * (shear ? last.gamma : last.eps[0]));
 }
 
-/// Behind the test's name in a title: the law, and the void ratio and the pressure unless they are varied.
+/// What follows the test's name in a title: the law, and the void ratio and the pressure unless they are varied.
 std::string subject_of(const ElementRun& run) {
   const Values& values = run.checked.values;
   const auto fixed = [&](const std::string& key) {
@@ -173,7 +173,7 @@ std::string subject_of(const ElementRun& run) {
   return subject;
 }
 
-/// The last words of a command that was interrupted.
+/// The message of a command that was interrupted.
 void print_interruption(const std::vector<NamedCurve>& curves, std::size_t runs) {
   const auto& [label, curve] = curves.back();
   const ElementRow& last = curve.rows.back();
@@ -195,7 +195,7 @@ void print_files(const std::filesystem::path& folder, bool several, const std::v
   std::printf("\n");
 }
 
-/// results/element and the case file's name, or else the test's.
+/// results/element and the name of the case file, if any, otherwise of the test.
 std::filesystem::path standard_folder(const Arguments& arguments, const std::string& test) {
   const std::string name = arguments.words.size() > 1 ? std::filesystem::path(arguments.words[1]).stem().string() : "";
   return std::filesystem::path("results/element") / (name.empty() ? test : name);

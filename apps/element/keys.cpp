@@ -31,12 +31,12 @@ std::string names_of_tests(bool (*holds)(const ElementTest&)) {
 Keys problem_keys(const std::string& test) {
   const ElementTest* const named = find_element_test(test);
   Keys keys{
-      {"test", test, "", any, "what is done to the element", element_tests()},
+      {"test", test, "", any, "the element test", element_tests()},
       {"specimen.void_ratio", named == nullptr ? 0.60 : named->void_ratio, "-", more_than(0), "initial void ratio e0"}};
   if (named == nullptr) {
     append(keys,
            {{"specimen.water_bulk_modulus", 0.0, "Pa", at_least(0),
-             "of water that fills the pores and does not leave them, such as 2.2 GPa; 0: none"},
+             "of pore water that cannot drain, such as 2.2 GPa; 0: no water"},
             {"initial.sigma", std::vector{100e3, 100e3, 100e3}, "Pa", at_least(0),
              "stresses along 1, 2, 3 at the start, compression positive"},
             {"initial.tau", 0.0, "Pa", any, "shear stress 12 at the start"},
@@ -48,23 +48,24 @@ Keys problem_keys(const std::string& test) {
     return keys;
   }
   append(keys, named->loading);
-  keys.push_back({"loading.rate", 0.01, "1/s", more_than(0), "rate of u/h0; of no effect where the law knows no rate"});
+  keys.push_back(
+      {"loading.rate", 0.01, "1/s", more_than(0), "rate of u/h0; without effect for a rate-independent law"});
   return keys;
 }
 
 Keys point_keys() {
-  return {{"driver.kind", "point", "", any, "what carries the test out", element_driver_names()},
+  return {{"driver.kind", "point", "", any, "what runs the test", element_driver_names()},
           {"driver.tolerance", 1e-6, "-", between(1e-12, 0.1),
            "point: error allowed in a step, relative to the stress and to the strain of the step"}};
 }
 
-/// Of the specimen that the mpm driver runs.
+/// Keys of the specimen that the mpm driver runs.
 Keys mpm_keys(const Catalogue& catalogue) {
   Keys keys{
       {"scheme", "gimp", "", any, "interpolation between points and grid", catalogue.in_2d.schemes.names()},
       {"specimen.size", 0.01, "m", more_than(0), "edge of the specimen, a square or a cube"},
       {"specimen.points_per_cell", std::int64_t{2}, "-", between(1, 10),
-       "material points in a cell, per direction; with one a cell's stretching has no inertia"},
+       "material points per cell and direction; with one, the stretching of a cell has no inertia"},
       {"specimen.interior",
        "affine",
        "",
@@ -90,7 +91,7 @@ Keys mpm_keys(const Catalogue& catalogue) {
 
 Keys output_keys() {
   return {{"output.every_strain", 5e-4, "-", within(0, 1),
-           "strain between rows of element.csv at most; rows are closer where the stress turns"},
+           "maximum strain between rows of element.csv; rows are closer where the stress turns"},
           key_for_vtk("output.plots", "write pictures (PNG)")};
 }
 
@@ -105,7 +106,7 @@ StartPressure start_pressure(const ElementCase& given) {
   return {given.loading.pressure, given.named->pressure_key, given.named->pressure_name};
 }
 
-/// A start with intergranular strain needs a law that has it, and lies in its elastic range.
+/// Initial intergranular strain needs a law that has it, and must lie in its elastic range.
 void check_intergranular_strain(const ElementCase& given, std::vector<Finding>& errors) {
   const Values& v = given.keys;
   double squares = 0.0;
@@ -113,14 +114,14 @@ void check_intergranular_strain(const ElementCase& given, std::vector<Finding>& 
   if (squares == 0.0) return;
   if (!v.has("material.intergranular_strain") || !v.flag("material.intergranular_strain"))
     errors.push_back({{"initial.intergranular_strain"},
-                      "the law carries no intergranular strain; allowed: 0, or material.intergranular_strain = true"});
+                      "the law has no intergranular strain; allowed: 0, or material.intergranular_strain = true"});
   else if (std::sqrt(squares) > v.number("material.R") * (1.0 + 1e-9))
     errors.push_back({{"initial.intergranular_strain", "material.R"},
                       "its norm, " + rounded(std::sqrt(squares)) +
                           ", is out of range; allowed: at most R = " + rounded(v.number("material.R"))});
 }
 
-/// A specimen of more points would fill the memory before its first step.
+/// A larger specimen would fill the memory before its first step.
 void check_points(const ElementCase::Specimen& specimen, std::vector<Finding>& errors) {
   constexpr double maximum = 1e7;
   const double points = std::pow(static_cast<double>(specimen.cells * specimen.points_per_cell), specimen.dimensions);
@@ -135,7 +136,7 @@ void check_specimen(const ElementCase& given, std::vector<Finding>& errors) {
   if (given.named == nullptr) {
     errors.push_back(
         {{"driver.kind"},
-         "\"mpm\" carries out no path: its specimen stands between plates; allowed: \"point\", or one of the tests " +
+         "\"mpm\" cannot run a path: its specimen is between plates; allowed: \"point\", or one of the tests " +
              names_of_tests([](const ElementTest&) { return true; })});
     return;
   }
@@ -214,7 +215,7 @@ CheckedCase element_case(const CaseFile& given, const Catalogue& catalogue) {
         explain_unknown_element_keys(given, known ? wish : usual_element_test, catalogue, errors);
       });
   try_material(given, checked.values, catalogue);
-  // A measure that a stage leaves free is no condition, and a sine without amplitude is none: nothing to write down.
+  // Measures that a stage leaves free and sines without amplitude are no conditions: they are not written.
   std::erase_if(checked.keys, [&](const Key& key) {
     if (!key.name.starts_with("stage.")) return false;
     const bool wave = key.name.ends_with(swing_key("")) || key.name.ends_with(phase_key(""));

@@ -41,7 +41,7 @@ std::string help(const CaseFile& given, const Catalogue& catalogue) {
     throw InputError(given.place("test") + ": \"" + test + "\" is unknown" + did_you_mean(test, element_tests()));
   std::string text = case_help(given, element_keys(catalogue, test, model_of(given)), catalogue);
   if (test == "path")
-    text += "\nOf each [[stage]]; docs/howto/element_paths.md tells how they work together\n" +
+    text += "\nOf each [[stage]]; docs/howto/element_paths.md explains how they work together\n" +
             parameters_help(stage_keys("")) + "\nOf each [[stage.leg]]\n" + parameters_help(leg_keys(""));
   return text;
 }

@@ -12,12 +12,12 @@ namespace riedel {
 
 namespace {
 
-/// The strain that the test drives, γ or ε1.
+/// The prescribed strain of the test, γ or ε1.
 double driven_strain(const MaterialPoint& mean, const ElementTest& test) {
   return test.shears() ? mean.F(0, 1) : 1.0 - mean.F(0, 0);
 }
 
-/// @throws InputError where nobody could wait for the end
+/// @throws InputError for a test of too many steps
 void refuse_endless(const ElementCase& given, double time_step) {
   constexpr double max_steps = 1e9;
   const auto& [pressure, final_strain, limit, rate, speed, ramp_time] = given.loading;

@@ -11,7 +11,7 @@ namespace riedel {
 
 namespace {
 
-/// Of a specimen.
+/// The cost of a specimen.
 struct Steps {
   std::vector<std::int64_t> cells;
   std::int64_t points = 1;

@@ -16,7 +16,7 @@ constexpr std::optional<double> hold = std::nullopt;
 
 Sym<double> isotropic(double pressure) { return -pressure * Sym<double>::identity(); }
 
-/// The conditions of a named test: what is driven goes to the final strain in one leg, the rest stays as it is.
+/// The conditions of a named test: the driven measure goes to the final strain in one leg, the others are constant.
 ElementPath named_path(const ElementCase& given) {
   const ElementTest& test = *given.named;
   const double strain = given.loading.final_strain;
@@ -53,7 +53,7 @@ void add_wave(Prescription& to, const Values& v, const std::string& stage, const
 std::optional<Mat<3>> given_deformation(const Values& v, const std::string& stage, const std::string& leg) {
   const bool in_leg = !v.numbers(leg + "deformation_gradient").empty();
   const std::vector<double>& F = v.numbers((in_leg ? leg : stage) + "deformation_gradient");
-  if (F.size() != 9) return std::nullopt; // told by the check of the path
+  if (F.size() != 9) return std::nullopt; // reported by the check of the path
   return Mat<3>(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(F.data()));
 }
 
@@ -73,7 +73,7 @@ PathLeg given_leg(const Values& v, const std::string& stage, const std::string& 
     result.prescriptions.push_back({&measure, fixed ? hold : std::optional(std::get<double>(value))});
     add_wave(result.prescriptions.back(), v, stage, leg);
   }
-  if (result.deformation) return result; // no shear is held
+  if (result.deformation) return result; // no shear is kept constant
   for (const std::array<const char*, 3>& shear :
        {std::array{"gamma", "tau", "ln_12"}, {"gamma_13", "tau_13", "ln_13"}, {"gamma_23", "tau_23", "ln_23"}})
     if (std::ranges::none_of(shear, given)) result.prescriptions.push_back({&find_measure(shear.front()), hold});

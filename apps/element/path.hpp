@@ -1,4 +1,4 @@
-/// The path that an element test leads a point along: stages, each a number of legs that may be repeated.
+/// The path that a point follows in an element test: stages, each of several legs that may be repeated.
 #pragma once
 
 #include "apps/element/case.hpp"
@@ -12,7 +12,7 @@ namespace riedel {
 /// "p < 20 kPa": what ends a stage early.
 struct Stop {
   const Measure* measure;
-  bool above; ///< ends when the measure is above the limit, or else below
+  bool above; ///< ends the stage when the measure is above the limit; false: below
   double limit;
 
   [[nodiscard]] bool reached(const MaterialPoint& point, const PoreWater& water) const {
@@ -21,14 +21,14 @@ struct Stop {
   }
   [[nodiscard]] std::string text() const; ///< "p < 20000 Pa"
 };
-/// @throws InputError that says what is allowed
+/// @throws InputError that states what is allowed
 Stop parse_stop(const std::string& text);
 
-/// What a measure becomes at the end of a leg; no target: it stays as it is.
+/// The value of a measure at the end of a leg; no target: it is kept constant.
 struct Prescription {
   const Measure* measure;
   std::optional<double> target;
-  double swing = 0.0, phase = 0.0; ///< of a sine upon the straight line, as in Condition; phase [rad]
+  double swing = 0.0, phase = 0.0; ///< of a sine added to the straight line, as in Condition; phase [rad]
 };
 
 struct PathLeg {
@@ -49,14 +49,14 @@ struct PathStage {
 struct ElementPath {
   Sym<double> stress; ///< effective, at the start, tension positive [Pa]
   std::vector<PathStage> stages;
-  Friction friction = Friction::principal; ///< what phi_mob is
+  Friction friction = Friction::principal; ///< definition of phi_mob
   PoreWater water = {};
 };
 
-/// The leg for a point that stands at its start.
+/// The leg for a point at its start.
 LoadStep leg_from(const PathLeg& leg, const MaterialPoint& point, const PoreWater& water);
 
-/// The path of a case. @throws InputError for a limit of a stage that says nothing
+/// The path of a case. @throws InputError for an invalid limit of a stage
 ElementPath element_path(const ElementCase& given);
 
 } // namespace riedel

@@ -24,7 +24,7 @@ std::vector<std::string> keys_of(const Values& values, int stage, int leg) {
   return given;
 }
 
-/// A deformation gradient stands alone, and has a volume.
+/// A deformation gradient excludes other conditions, and its determinant is positive.
 bool check_deformation(const Values& values, const PathLeg& leg, const std::string& stage, const std::string& own,
                        std::vector<Finding>& errors) {
   const bool in_leg = !values.numbers(own + "deformation_gradient").empty();
@@ -33,14 +33,14 @@ bool check_deformation(const Values& values, const PathLeg& leg, const std::stri
   if (!leg.deformation)
     errors.push_back({{key}, "has " + std::to_string(values.numbers(key).size()) + " numbers; allowed: 9"});
   else if (!(leg.deformation->determinant() > 0.0))
-    errors.push_back({{key}, "has a determinant that is not positive: no material can be turned inside out"});
+    errors.push_back({{key}, "has a determinant that is not positive; allowed: a positive one"});
   else if (!leg.prescriptions.empty())
     errors.push_back(
-        {{key}, "says all of the motion; the leg asks for " + leg.prescriptions.front().measure->name + " as well"});
+        {{key}, "prescribes the whole motion; the leg also prescribes " + leg.prescriptions.front().measure->name});
   return true;
 }
 
-/// A sine has a measure to stand on.
+/// A sine needs a prescribed measure to which it is added.
 void check_waves(const Values& values, const PathLeg& leg, const std::string& prefix, std::vector<Finding>& errors) {
   for (const Measure& measure : measures()) {
     if (!measure.can_be_prescribed || values.number(prefix + swing_key(measure.name)) == 0.0) continue;
@@ -56,7 +56,7 @@ void check_leg(const PathLeg& leg, const std::vector<std::string>& keys, std::ve
   std::string given;
   for (const Prescription& each : leg.prescriptions) given += (given.empty() ? "" : ", ") + each.measure->name;
   errors.push_back({keys, "a leg needs six conditions, and this one has " + std::to_string(leg.prescriptions.size()) +
-                              ": " + given + " (a shear that is not named is held)"});
+                              ": " + given + " (a shear that is not named is kept constant)"});
 }
 
 bool check_limits(const Values& values, std::vector<Finding>& errors) {
@@ -70,10 +70,10 @@ bool check_limits(const Values& values, std::vector<Finding>& errors) {
   return errors.size() == before;
 }
 
-/// What a path has made of each measure of strain, as far as that is known [-].
+/// The value of each measure of strain along a path, as far as it is known [-].
 using Known = std::map<const Measure*, double>;
 
-/// Strain over which a leg leads at least.
+/// Minimum strain of a leg.
 double min_strain(const PathLeg& leg, Known& known) {
   double minimum = 0.0;
   Known after;
@@ -90,7 +90,7 @@ double min_strain(const PathLeg& leg, Known& known) {
   return minimum;
 }
 
-/// Rows of a round at least.
+/// Minimum number of rows of a round.
 double min_rows(const PathStage& stage, double every, Known& known) {
   double rows = 0.0;
   for (const PathLeg& leg : stage.legs) rows += std::max(1.0, min_strain(leg, known) / every);

@@ -24,14 +24,14 @@ Keys measure_keys(const std::string& prefix) {
                   std::vector<double>{},
                   "-",
                   {},
-                  "F from the start of the leg to its end, row by row, to which it goes straight; instead of measures",
+                  "F from the start of the leg to its end, row by row, reached on a straight line; instead of measures",
                   {},
                   true});
   return keys;
 }
 
 /// Number of tables in a list, such as "stage" or "stage.2.leg".
-/// @throws InputError for a number behind a gap, and for more of them than a case can mean
+/// @throws InputError for a number after a gap, and for more tables than are allowed
 int tables_in(const CaseFile& given, const std::string& list) {
   constexpr int maximum = 1000;
   const int count = given.count(list);
@@ -58,7 +58,7 @@ std::string leg_prefix(int stage, int leg) { return stage_prefix(stage) + "leg."
 Keys stage_keys(const std::string& prefix) {
   Keys keys{
       {prefix + "name", "", "", {}, "name of the stage, for messages"},
-      {prefix + "repeat", std::int64_t{1}, "-", between(1, 1e6), "times that the legs are run through"},
+      {prefix + "repeat", std::int64_t{1}, "-", between(1, 1e6), "number of times that the legs are run"},
       {prefix + "until", "", "", {}, "what ends the stage early, such as \"p < 20 kPa\"; empty: nothing"},
       {prefix + "relative", false, "", {}, "targets are changes from the start of each leg"},
       {prefix + "spin",
@@ -66,7 +66,7 @@ Keys stage_keys(const std::string& prefix) {
        "",
        {},
        "a shear turns the normals of the sheared planes; false: no spin, as with small strains"},
-      {prefix + "duration", 1.0, "s", more_than(0), "time that a leg takes; of no effect where the law knows no rate"}};
+      {prefix + "duration", 1.0, "s", more_than(0), "duration of a leg; without effect for a rate-independent law"}};
   append(keys, measure_keys(prefix));
   return keys;
 }
@@ -82,14 +82,14 @@ Keys wave_keys(const std::string& prefix) {
                     0.0,
                     measure.unit,
                     {},
-                    "amplitude of one period of a sine over the leg, beside what " + measure.name + " says"});
+                    "amplitude of one period of a sine over the leg, added to " + measure.name});
     keys.push_back({prefix + phase_key(measure.name), 0.0, "deg", {}, "angle of that sine at the start of the leg"});
   }
   return keys;
 }
 
 Keys leg_keys(const std::string& prefix) {
-  Keys keys{{prefix + "duration", 1.0, "s", more_than(0), "time that the leg takes"}};
+  Keys keys{{prefix + "duration", 1.0, "s", more_than(0), "duration of the leg"}};
   append(keys, measure_keys(prefix));
   return keys;
 }

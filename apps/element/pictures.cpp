@@ -9,7 +9,7 @@ namespace riedel {
 
 namespace {
 
-/// Those of the test; those of any compression, and of shear, for a path.
+/// The pictures of the test; for a path, those of any compression and of shear.
 std::vector<ElementPicture> pictures_of(const std::string& test) {
   if (const ElementTest* named = find_element_test(test)) return named->pictures;
   std::vector<ElementPicture> all = pictures_of_compression();
@@ -22,7 +22,7 @@ std::string title_of(const std::string& test) {
   return named == nullptr ? "Path" : named->title;
 }
 
-/// A measured column; the pressure of pore water is no part of an effective one.
+/// A measured column; an effective pressure does not include the pore pressure.
 std::vector<double> column_of(const Table& table, const PictureAxis& axis) {
   std::vector<double> values = table[axis.column];
   if (axis.column == picture_axes::p().column && table.has("pore_pressure_Pa"))

@@ -16,14 +16,14 @@ struct NamedCurve {
   ElementCurve curve;
 };
 
-/// What every picture shows beside the curves: a measured one, say.
+/// Shown in every picture beside the curves, for example a measured curve.
 struct Overlay {
   std::string label;
   Table table; ///< columns named as in element.csv
 };
 
-/// @param curves of one test   @param subject behind the test's name in the title
-/// @return all that change; those for which the overlay has no columns leave it out
+/// @param curves of one test   @param subject follows the test's name in the title
+/// @return all whose values change; those for which the overlay has no columns omit it
 std::vector<NamedPlot> element_plots(const std::vector<NamedCurve>& curves, const std::optional<Overlay>& overlay,
                                      const std::string& subject);
 

@@ -25,7 +25,7 @@ struct Frame {
     grid.cell.setConstant(edge / cells);
     grid.origin = -static_cast<double>(first) * grid.cell;
     grid.nodes.fill(cells + 2 * first + 1);
-    // Sheared points travel through the grid.
+    // Sheared points move through the grid.
     if (shear) grid.nodes[0] += static_cast<Index>(std::ceil(given.loading.final_strain * cells));
   }
 
@@ -36,8 +36,8 @@ struct Frame {
   }
 };
 
-/// The pair of plates normal to an axis, and the nodes beyond them, which move as if the specimen went on there: a
-/// domain that reaches over the edge then sees the same gradient. The nodes between the plates go along, or are free.
+/// The pair of plates normal to an axis, and the nodes beyond them, which move as if the specimen continued there: a
+/// domain that reaches over the edge then has the same gradient. The nodes between the plates follow, or are free.
 template <int Dim>
 VelocityOnNodes<Dim> plates(const Frame<Dim>& frame, int axis, PlateMotion motion, const VelocityCourse& drive) {
   const Index moving = frame.first + frame.cells;
@@ -54,8 +54,8 @@ VelocityOnNodes<Dim> plates(const Frame<Dim>& frame, int axis, PlateMotion motio
   return condition;
 }
 
-/// Sheared planes stay plane and slide in proportion to their height, as in a stack of rings; they rise in proportion,
-/// too. The specimen's slanting sides fall between the nodes, so that every node takes part.
+/// Sheared planes stay plane; they slide and rise in proportion to their height, as in a stack of rings. The inclined
+/// sides of the specimen fall between the nodes, so that the condition holds for every node.
 template <int Dim>
 VelocityOnNodes<Dim> sheared_planes(const Frame<Dim>& frame, int axis, const VelocityCourse& drive) {
   return {.name = "plates " + std::to_string(axis + 1),

@@ -1,4 +1,4 @@
-/// What an element test leaves in summary.json.
+/// What an element test writes to summary.json.
 #pragma once
 
 #include "materials/element/curve.hpp"
@@ -7,7 +7,7 @@
 
 namespace riedel {
 
-/// The keys that follow from the curve.
+/// The entries that follow from the curve.
 nlohmann::ordered_json element_summary(const ElementCurve& curve);
 
 } // namespace riedel

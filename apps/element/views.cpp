@@ -19,10 +19,10 @@ std::string figure(const ordered_json& summary, const char* name, double unit, i
   return std::isnan(x) ? "–" : fixed_text(x / unit, digits);
 }
 
-/// The strain that a test is told by.
+/// The strain against which a test is reported.
 const char* strain_of(const ordered_json& summary) { return shears(text_in(summary, "test", "")) ? "gamma" : "eps_1"; }
 
-/// What pictures show of a run, as it was written.
+/// The curve of a run for the pictures, as it was written.
 ElementCurve curve_of(const RunResult& run) {
   const Table& table = run.history;
   ElementCurve curve{.test = text_in(run.summary, "test", ""), .water = table.has("pore_pressure_Pa")};

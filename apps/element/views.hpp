@@ -1,4 +1,4 @@
-/// What runs of element tests look like in tables.
+/// Tables and pictures of runs of element tests.
 #pragma once
 
 #include "core/campaign/run_result.hpp"
@@ -8,13 +8,13 @@ namespace riedel {
 /// Strength, and the state at the end.
 PageTable element_table(Runs runs);
 
-/// The pictures of one test; none where the runs differ in it, or have left no curve.
+/// The pictures of one test; none if the runs are of different tests or have no curve.
 std::vector<NamedPlot> element_run_plots(Runs runs, const std::string& subject);
 
-/// The same of a run that is done, in one line.
+/// Strength and final state of a completed run, in one line.
 std::string element_outcome(const nlohmann::ordered_json& summary);
 
-/// What tables take for granted of the summary of a run that is done. @throws InputError
+/// Checks what the tables need of the summary of a completed run. @throws InputError
 void check_element_summary(const nlohmann::ordered_json& summary);
 
 } // namespace riedel

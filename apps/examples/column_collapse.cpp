@@ -1,4 +1,4 @@
-/// A column of dry sand, 20 cm by 40 cm, is let go and spreads over a rough floor.
+/// A column of dry sand, 20 cm by 40 cm, is released and spreads over a rough floor.
 ///   column_collapse [FOLDER]     leaves points.pvd for ParaView and history.csv with the front
 #include <riedel/riedel.hpp>
 
@@ -14,7 +14,7 @@ int main(int argc, char** argv) try {
   State<2> state;
   state.grid = grid_around<2>({0.0, 0.0}, {1.0, 0.5}, 0.02, model.scheme->margin() + 2);
 
-  // 2. The sand, under the stress that its weight leaves at rest.
+  // 2. The sand, under the stress of its weight at rest.
   const double density = 1500.0, gravity = 9.81, height = 0.4;
   const std::shared_ptr<const Material> sand = make(catalogue.materials, "mohr_coulomb",
                                                     {{"youngs_modulus", 1e6},
@@ -38,7 +38,7 @@ int main(int argc, char** argv) try {
   model.conditions.push_back(smooth_wall(state.grid, "symmetry", 0, 0.0, Behind::lower));
   model.gravity = {0.0, -gravity};
   model.step = musl_step<2>;
-  // [1/s], of what the grid does not see
+  // [1/s], of what the grid does not resolve
   model.transfer = make(catalogue.in_2d.transfers, "flip", {{"damping", 10.0}});
 
   // 4. The run, with a frame and a row every 20 ms.

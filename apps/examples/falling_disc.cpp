@@ -1,5 +1,5 @@
-/// A rubber disc falls on a bed of softer rubber and jumps: two bodies that meet on the grid.
-///   falling_disc [FOLDER]        a second; leaves points.pvd for ParaView and history.csv
+/// A rubber disc falls on a bed of softer rubber and rebounds: two bodies in contact through the grid.
+///   falling_disc [FOLDER]        one second; leaves points.pvd for ParaView and history.csv
 #include <riedel/riedel.hpp>
 
 using namespace riedel;

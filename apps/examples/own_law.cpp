@@ -1,4 +1,4 @@
-/// A law of one's own inside a program: elastic, and stiffer under pressure. A block of it settles under its weight.
+/// A user-defined law inside a program: elastic, and stiffer under pressure. A block of it settles under its weight.
 ///   own_law [FOLDER]             leaves points.pvd for ParaView and history.csv with the height
 #include <riedel/riedel.hpp>
 

@@ -1,5 +1,5 @@
-/// A boundary that waves leave through: dashpots against which material pushes as against more of the same, Lysmer &
-/// Kuhlemeyer (1969), J. Eng. Mech. Div. ASCE 95(EM4), 859–877, with a = b = 1.
+/// An absorbing boundary: dashpots that act on waves like a continuation of the material, Lysmer & Kuhlemeyer (1969),
+/// J. Eng. Mech. Div. ASCE 95(EM4), 859–877, with a = b = 1.
 #include "core/interface/plugin.hpp"
 #include "core/step/boundaries/nodewise.hpp"
 
@@ -15,7 +15,7 @@ public:
   static constexpr std::string_view kind = "absorbing", summary = "dashpots through which waves leave",
                                     source = "Lysmer & Kuhlemeyer (1969)";
   static Keys parameters() {
-    return {{"density", 2000.0, "kg/m3", more_than(0), "of the material that goes on beyond"},
+    return {{"density", 2000.0, "kg/m3", more_than(0), "of the material beyond the boundary"},
             {"pressure_wave", 400.0, "m/s", more_than(0), "speed c_p of its compression waves"},
             {"shear_wave", 200.0, "m/s", more_than(0), "speed c_s of its shear waves"}};
   }

@@ -1,5 +1,5 @@
 /// A transfer: ASFLIP, affine as APIC and with FLIP's changes of velocity, whose points follow their own velocities
-/// where the material comes apart. Fei, Guo, Wu, Huang & Gao (2021), ACM Trans. Graph. 40(4), 109.
+/// where the material separates. Fei, Guo, Wu, Huang & Gao (2021), ACM Trans. Graph. 40(4), 109.
 #include "core/step/transfer_plugin.hpp"
 #include "transfers/kit/affine.ipp"
 #include "transfers/kit/apic_gradient.hpp"
@@ -9,8 +9,9 @@ namespace {
 
 using namespace riedel;
 
-/// v_p ← Σ N_ip v_i + α δ_p and x_p += Δt (Σ N_ip v_i + β α δ_p), where δ_p = v_p + Δt Σ N_ip a_i − Σ N_ip v_i is what
-/// the grid does not see of v_p; β holds for points that have grown since the start, and is 0 for others.
+/// v_p ← Σ N_ip v_i + α δ_p and x_p += Δt (Σ N_ip v_i + β α δ_p), where δ_p = v_p + Δt Σ N_ip a_i − Σ N_ip v_i is the
+/// part of v_p that the grid does not resolve; β applies to points that have expanded since the start, and is 0 for
+/// others.
 template <int Dim>
 struct Apart {
   double alpha = 0.97, beta = 1.0; ///< [-]
@@ -30,11 +31,11 @@ struct Apart {
 template <int Dim>
 class Asflip final : public AffineTransfer<Dim, ApicGradient<Dim>, Apart<Dim>> {
 public:
-  static constexpr std::string_view name = "asflip", summary = "affine, with FLIP's changes and points that come apart",
+  static constexpr std::string_view name = "asflip", summary = "affine, with FLIP's changes and points that separate",
                                     source = "Fei, Guo, Wu, Huang & Gao (2021)";
   static Keys parameters() {
     return {{"asflip", 0.97, "-", between(0, 1), "share of FLIP in a step, the rest is APIC"},
-            {"asflip_apart", 1.0, "-", between(0, 1), "how far points that have grown follow their own velocities"}};
+            {"asflip_apart", 1.0, "-", between(0, 1), "how far points that have expanded follow their own velocities"}};
   }
   explicit Asflip(const Values& given)
       : AffineTransfer<Dim, ApicGradient<Dim>, Apart<Dim>>({given.number("asflip"), given.number("asflip_apart")}) {}

@@ -1,7 +1,7 @@
 ! Gudehus-Bauer hypoplasticity as a UMAT for Abaqus: equations (A1) to (A10) of Krzyzanowski, Wojcik & Tejchman (2020),
 ! with h_i of Bauer (1996), as in docs/theory/gudehus_bauer.md.
 !   PROPS   1 phi_c [rad], 2 h_s [Pa], 3 n, 4 e_i0, 5 e_d0, 6 e_c0, 7 alpha, 8 beta, 9 longest strain of a sub-step,
-!           10 least mean pressure [Pa], 11 not 0: the norm of the strain increment is DPRED(1), its non-local average
+!           10 minimum mean pressure [Pa], 11 not 0: the norm of the strain increment is DPRED(1), its non-local average
 !   STATEV  1 void ratio
 module gudehus_bauer
   implicit none
@@ -27,7 +27,7 @@ contains
     s%f_s0 = s%h_s / (s%n * h_i)
   end function sand_of
 
-  ! Stress per strain increment `de` (tensor shear) whose norm, or its average, is d; L and N apart on demand.
+  ! Stress per strain increment `de` (tensor shear) whose norm, or its average, is d; L and N separately on request.
   pure subroutine rate(s, sigma, e, de, d, dsigma, L, N)
     type(sand), intent(in) :: s
     double precision, intent(in) :: sigma(3, 3), e, de(3, 3), d
@@ -121,7 +121,7 @@ contains
     e = last
   end subroutine runge_kutta
 
-  ! A point that falls below the least pressure returns to it, in the direction of its stress.
+  ! A point that falls below the minimum pressure returns to it, in the direction of its stress.
   subroutine keep_pressure(sigma, least)
     double precision, intent(inout) :: sigma(3, 3)
     double precision, intent(in) :: least

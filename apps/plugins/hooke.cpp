@@ -1,4 +1,4 @@
-/// Hooke's law in rates, σ° = λ tr(D) I + 2 μ D: the least that a law consists of.
+/// Hooke's law in rates, σ° = λ tr(D) I + 2 μ D: a minimal law.
 #include "core/interface/plugin.hpp"
 #include "materials/kit/elastic_solid.hpp"
 #include "materials/kit/rate_law.hpp"

@@ -11,7 +11,7 @@ namespace {
 
 using namespace riedel;
 
-/// a a, the product of a symmetric tensor with itself.
+/// a·a, the product of a symmetric tensor with itself.
 template <class Real>
 Sym<Real> squared(const Sym<Real>& a) {
   const Real half(0.5), r(std::numbers::sqrt2 / 2);
@@ -86,9 +86,9 @@ private:
     for (double ratio = 1.0; ratio < 0.999 * K; ratio *= 1.01)
       if (!(flow_norm(ratio) < 1.0))
         throw InputError(
-            "wu_bauer: stiffness, poissons_ratio, phi and psi do not fit together: steady flow comes before "
-            "phi is reached, at a ratio of stresses of " +
-            short_text(ratio) + " instead of " + short_text(K) + "; a smaller poissons_ratio mends it");
+            "wu_bauer: stiffness, poissons_ratio, phi and psi do not fit together: steady flow occurs before "
+            "phi is reached, at a stress ratio of " +
+            short_text(ratio) + " instead of " + short_text(K) + "; use a smaller poissons_ratio");
   }
   /// ‖L⁻¹N‖ in a triaxial cell: 1 in steady flow, where L:D + N ‖D‖ = 0.
   [[nodiscard]] double flow_norm(double ratio) const {

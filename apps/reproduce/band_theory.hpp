@@ -1,4 +1,4 @@
-/// What theory says of a specimen that is cut by a shear band.
+/// Theory of a specimen that is cut by a shear band.
 #pragma once
 
 namespace riedel {
@@ -11,7 +11,7 @@ double traction_ratio(double angle_deg, double theta_deg);
 /// The φ that a specimen mobilises when a band at `theta` bears this traction ratio [deg].
 double outer_angle(double traction_ratio, double theta_deg);
 
-/// φ of the specimen when the band is in critical simple shear: the least that it can bear at that inclination [deg].
+/// φ of the specimen when the band is in critical simple shear: the minimum at that inclination [deg].
 double residual_angle(double critical_angle_deg, double theta_deg);
 
 /// Inclinations that experiments are compared with, to the horizontal [deg].
@@ -34,7 +34,7 @@ struct BandState {
 };
 /// By straight lines between rows.
 BandState band_1d(double u_over_h);
-/// φ of the specimen if the same band stood at another inclination: it bears the same traction ratio [deg].
+/// φ of the specimen if the same band had another inclination: it bears the same traction ratio [deg].
 double band_1d_angle(double u_over_h, double theta_deg);
 
 } // namespace riedel

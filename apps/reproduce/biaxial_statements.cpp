@@ -42,7 +42,7 @@ Statement residual(const PaperResults& r) {
                               " at 3 %, " + band_at(0.04) + " at 4 %, " + band_at(0.05) + " at 5 %; critical state " +
                               degrees(residual_angle(critical, theta), 1) + " in the end",
           .verdict = within(angle, 30.0, 1.5),
-          .reason = "at 4 % the band still softens, in the 1-D theory as well; 30° is where it ends"};
+          .reason = "at 4 % the band still softens, also in the 1-D theory; 30° is only its final value"};
 }
 
 Statement critical_angle(const PaperResults& r) {
@@ -55,7 +55,7 @@ Statement critical_angle(const PaperResults& r) {
                     (std::isnan(theta) ? std::string("less") : degrees(residual_angle(critical, theta), 1)) +
                     " outside a band at the measured θ",
           .verdict = std::isnan(theta) ? Verdict::open : Verdict::cannot_hold,
-          .reason = "φ_c is the triaxial value; that the outside of a band at 55° comes to 29.9° has another reason"};
+          .reason = "φ_c is the triaxial value; the 29.9° outside a band at 55° have another reason"};
 }
 
 Statement two_zones(const PaperResults& r) {
@@ -73,7 +73,7 @@ Statement two_zones(const PaperResults& r) {
                             : "no band",
           .theory = "",
           .verdict = decide(known, known && first->conjugate_ratio > 0.2 && last->conjugate_ratio < 0.1),
-          .reason = "the weaker band is already behind when the first frame shows a band"};
+          .reason = "the weaker band already lags when the first frame shows a band"};
 }
 
 Statement first_band(const PaperResults& r) {
@@ -101,7 +101,7 @@ Statement thickness(const PaperResults& r) {
           .theory = "1-D band at 5 %: " + millimetres(band_1d(0.05).thickness_e) + ", " +
                     millimetres(band_1d(0.05).thickness_fwhm) + ", " + millimetres(band_1d(0.05).thickness_rate),
           .verdict = within(by_e, 7.5e-3, 1e-3),
-          .reason = "the band is as wide as theory has it, and not wider"};
+          .reason = "the band is as wide as in theory, not wider"};
 }
 
 Statement inclination(const PaperResults& r, const std::string& run, const std::string& called, double claimed,
@@ -134,9 +134,9 @@ Statement position(const PaperResults& r) {
   return {.where = "Fig. 8B",
           .claim = "the zone lies in the upper half for l_c = 1.5 mm, in the lower one for more",
           .measured = measured,
-          .theory = "by symmetry, but for weight and the side that moves, both are alike",
+          .theory = "by symmetry both are equivalent, except for the weight and the moving side",
           .verdict = decide(known, holds),
-          .reason = "which one wins hangs on little: the scheme, the cells and l_c decide it"};
+          .reason = "which one wins depends on small effects: the scheme, the cells and l_c"};
 }
 
 std::vector<Statement> of_figure_8(const PaperResults& r) {
@@ -149,7 +149,7 @@ std::vector<Statement> of_figure_8(const PaperResults& r) {
   return {{"Fig. 8A", "the peak grows with l_c (0 to 4 mm)", list(peaks, 1.0, 2) + "° (dips ≤ 0.1°)", "",
            rising(peaks, 0.1), ""},
           {"Fig. 8A", "the residual angle grows with l_c", "at 4 %: " + list(at_4, 1.0, 1) + "° (dips ≤ 1°)", "",
-           rising(at_4, 1.0), "which of the two bands wins, and when, moves the curve by more than l_c does"},
+           rising(at_4, 1.0), "which of the two bands wins, and when, changes the curve more than l_c does"},
           peak(r),
           residual(r),
           critical_angle(r),
@@ -161,7 +161,7 @@ std::vector<Statement> of_figure_8(const PaperResults& r) {
           {"Fig. 8B", "the thickness grows with l_c (1.5 to 4 mm)",
            "half maximum of e: " + list(wanted_widths, 1e-3, 2) + " mm (dips ≤ 0.5 mm)", "3 to 5 l_c",
            rising(wanted_widths, 0.5e-3),
-           "a band as wide as the specimen allows is none by the measure's rules (–), or not measured whole"}};
+           "a band as wide as the specimen is not counted as one (–), or is not measured completely"}};
 }
 
 std::vector<Statement> of_figure_9(const PaperResults& r) {
@@ -185,9 +185,10 @@ std::vector<Statement> of_figure_9(const PaperResults& r) {
            "e_c = " + list(critical, 1.0, 3) +
                " at their pressures; 1-D band: 0.821, 0.850 in its middle at 4, 5 %, still rising",
            decide(!inside.empty(), reached),
-           beyond ? "passed: where the average of ‖D‖ is less than its own, in the middle of a band, this model has no "
-                    "critical state at e_c"
-                  : "the band still dilates at the end"},
+           beyond
+               ? "exceeded: in the middle of a band, where the average of ‖D‖ is below the local value, this model has "
+                 "no critical state at e_c"
+               : "the band still dilates at the end"},
           {"Fig. 9", "outside, the sand stays dense", "points 1 to 3: e = " + list(outside, 1.0, 3) + " (0.60)",
            "1-D band: 0.559", decide(!outside.empty(), dense), ""}};
 }
@@ -205,18 +206,18 @@ std::vector<Statement> of_figure_10(const PaperResults& r) {
        within(medium, 40.0, 1.5, Verdict::cannot_hold), "40° lies above what the paper's own law gives without a band"},
       {"Fig. 10", "e₀ 0.90: peak 30°", degrees(loose) + " (±1.5°)",
        "homogeneous " + degrees(r.homogeneous(0.90).peak_angle) + ", still rising at the end", within(loose, 30.0, 1.5),
-       "the law alone comes to more than 31°"},
+       "the law alone reaches more than 31°"},
       inclination(r, "e0=0.75", "e₀ 0.75", 50.0, 0.75),
       {"Fig. 10", "e₀ 0.75: t_s = 6 l_c by e ≥ 0.70", "half maximum of e: " + millimetres(wide), "",
        std::isnan(medium) ? Verdict::open : Verdict::cannot_hold,
-       "e ≥ 0.70 holds everywhere from the start at e₀ = 0.75: it cannot tell a band"},
+       "e ≥ 0.70 holds everywhere from the start at e₀ = 0.75: it cannot identify a band"},
       {"Fig. 10", "the thickness grows with e₀",
        "half maximum of e: " + millimetres(narrow) + " at 0.55, " + millimetres(wide) + " at 0.75", "",
        decide(!std::isnan(wide) && !std::isnan(narrow), wide > narrow), "the looser specimen's band is not wider here"},
       {"Fig. 10", "e₀ 0.90: no shear zone",
        kind.empty()        ? "–"
        : kind == "none"    ? "no band"
-       : kind == "diffuse" ? "strain gathers, and in no band"
+       : kind == "diffuse" ? "strain concentrates, but not in a band"
                            : "a band (" + kind + ")",
        "", decide(!kind.empty(), kind == "none" || kind == "diffuse"), "a band is found in the loose specimen"}};
 }

@@ -39,7 +39,7 @@ const std::vector<ElementFigure>& all_element_figures() {
   return all;
 }
 
-/// Three of triaxial compression at 500 kPa, as far as it takes to come to the critical state.
+/// Three of triaxial compression at 500 kPa, far enough to reach the critical state.
 const ElementFigure to_the_end{"triaxial_to_the_end", "triaxial", {"loading.final_strain=0.7"}, "", {}};
 
 std::string run_name(const ElementFigure& figure, const std::string& void_ratio) {

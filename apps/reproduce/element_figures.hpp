@@ -9,7 +9,7 @@ namespace riedel {
 /// A part of a figure.
 struct FigurePart {
   int figure = 0;
-  std::string name; ///< such as "4a_500", of its file, too
+  std::string name; ///< such as "4a_500", also of its file
   std::string caption;
   Plot plot;
 };
@@ -23,7 +23,7 @@ std::vector<FigurePart> element_figures(const Figures& figures, Runs runs);
 /// e_c = e_c0 exp[−(3p/h_s)^n] of a law that has such parameters.   @param pressure p [Pa]
 double critical_void_ratio(const Values& law, double pressure);
 
-/// Where triaxial compression at 500 kPa comes to: φ and e at an axial strain of 70 %, for e0 = 0.60, 0.75, 0.90.
+/// The end of triaxial compression at 500 kPa: φ and e at an axial strain of 70 %, for e0 = 0.60, 0.75, 0.90.
 struct CriticalState {
   std::vector<double> angle, void_ratio; ///< [deg], [-]
   double expected_void_ratio = 0.0;      ///< e_c at the mean pressure there [-]

@@ -58,7 +58,7 @@ std::vector<RunResult> runs_of_figure_10(const PaperResults& results) {
   return renamed(results.some(density_runs()), "e₀ = 0.55");
 }
 
-/// None where a frame is damaged.
+/// Empty if a frame is damaged.
 std::vector<PointCurve> readable_points(const RunResult& run, const Values& paper_case) {
   try {
     return points_in_and_out(run, paper_case);
@@ -87,7 +87,7 @@ Plot void_ratios(const PaperResults& results) {
   return plot;
 }
 
-/// Ranges that are told of tests, none of which could be looked up in the original.
+/// Ranges reported for tests, none of which could be checked in the original publications.
 constexpr double mean_grain = 0.5e-3, min_grains = 10.0, max_grains = 20.0; // [m], [-], [-]
 const std::string unchecked = "literature, unchecked";
 
@@ -119,9 +119,9 @@ FigurePart thickness_figure(const std::vector<PaperResults>& ways) {
   plot.shaded = {{{0.0, 4.5}, grains, "10 to 20 d50 of 0.5 mm (" + unchecked + ")"}};
   return {
       8, "8c",
-      "Thickness against the characteristic length. Grey: what is told of plane strain tests on sands, 10 to 20 mean "
-      "grain diameters, from memory of the literature and not checked in the originals; the paper gives no "
-      "measured number.",
+      "Thickness against the characteristic length. Grey: values reported for plane strain tests on sands, 10 to 20 "
+      "mean grain diameters, quoted from memory and not checked in the original publications; the paper gives no "
+      "measured value.",
       std::move(plot)};
 }
 
@@ -159,7 +159,7 @@ FigurePart inclination_figure(const std::vector<PaperResults>& ways) {
       10, "10c",
       "Inclination at the end against the initial void ratio. Grey: from Roscoe's 45° + ψ/2 to Coulomb's 45° + φ/2, "
       "with φ and ψ of the run (" +
-          last.way().title + ") at its peak. Of tests 55 to 65° are told (" + unchecked + ").",
+          last.way().title + ") at its peak. For tests, 55 to 65° are reported (" + unchecked + ").",
       std::move(plot)};
 }
 
@@ -184,15 +184,16 @@ std::vector<FigurePart> curve_figures(const PaperResults& results) {
   };
   if (figures.contains(7))
     parts.push_back({7, "7" + file,
-                     "Figure 7: three meshes, with the automatic time step and with 1e-6 s; theory beside them" + way,
+                     "Figure 7: three meshes, with the automatic time step and with 1e-6 s, and theory" + way,
                      with_theory(curves(results.some(names_of_figure_7()), "Meshes and time steps"), results)});
   if (figures.contains(8))
     parts.push_back({8, "8a" + file, "Figure 8A: characteristic lengths" + way,
                      with_theory(curves(runs_of_figure_8(results), "Characteristic lengths"), results)});
   if (figures.contains(9))
-    parts.push_back({9, "9" + file,
-                     "Figure 9: void ratios at six points, named by where they started, " + results.way().title + ".",
-                     void_ratios(results)});
+    parts.push_back(
+        {9, "9" + file,
+         "Figure 9: void ratios at six points, named by their initial positions, " + results.way().title + ".",
+         void_ratios(results)});
   if (figures.contains(10)) {
     Plot plot = curves(runs_of_figure_10(results), "Initial void ratios");
     for (const double void_ratio : {0.55, 0.75, 0.90})

@@ -5,13 +5,13 @@
 
 namespace riedel {
 
-/// Curves of Figures 7, 8, 9 and 10, those that were asked for, with what theory says beside them.
+/// Curves of those of Figures 7, 8, 9 and 10 that were requested, compared with theory.
 std::vector<FigurePart> curve_figures(const PaperResults& results);
 
-/// The bands' thickness and inclination beside what is known of tests, all ways in one plot.
+/// Thickness and inclination of the bands compared with test results, all ways in one plot.
 std::vector<FigurePart> experiment_figures(const std::vector<PaperResults>& ways);
 
-/// Deformed specimens: void ratio, and what it hides, pressure and rate.
+/// Deformed specimens: void ratio, pressure and rate.
 struct SpecimenFigure {
   int figure = 0;
   std::string name, caption;

@@ -18,7 +18,7 @@ Statement meshes(const PaperResults& r, const std::string& coarse, const std::st
           .verdict = decide(!std::isnan(after), before <= 1.5 && after <= 1.5,
                             too_coarse ? Verdict::cannot_hold : Verdict::differs),
           .reason = too_coarse ? "16×56 cells are 2.5 mm, more than 1.1 l_c: the coarsest mesh is not converged"
-                               : "past the peak the band still narrows with the cells"};
+                               : "after the peak the band still narrows with the cells"};
 }
 
 Statement time_step(const PaperResults& r, const std::string& mesh) {
@@ -31,12 +31,12 @@ Statement time_step(const PaperResults& r, const std::string& mesh) {
           .theory = "",
           .verdict = decide(!std::isnan(after), before <= 0.5 && after <= 1.5),
           .reason = r.filtered()
-                        ? "past the peak the band is not the same"
-                        : "FLIP damps by the step, so more steps damp more: noise differs, and ‖D‖ takes noise "
-                          "for deformation"};
+                        ? "after the peak the bands differ"
+                        : "FLIP damps per step, so more steps damp more: the noise differs, and ‖D‖ counts noise "
+                          "as deformation"};
 }
 
-/// The greatest time step that the paper tried, against h/c.
+/// The largest time step in the paper, against h/c.
 Statement max_step(const PaperResults& r) {
   std::vector<double> limits;
   for (const std::string& mesh : mesh_runs()) {
@@ -48,7 +48,7 @@ Statement max_step(const PaperResults& r) {
   const bool known = std::ranges::none_of(limits, [](double x) { return std::isnan(x); });
   return {.where = "text",
           .claim = "time steps from 0.05 to 5 µs on all three meshes",
-          .measured = "a wave crosses a cell in " + list(limits, 1e-6, 2) + " µs at the least",
+          .measured = "a wave crosses a cell in at least " + list(limits, 1e-6, 2) + " µs",
           .theory = "an explicit step must stay below that",
           .verdict = decide(known, std::ranges::min(limits) >= 5e-6, Verdict::cannot_hold),
           .reason = "5 µs is over the limit of the finer meshes at the peak (431 m/s)"};

@@ -1,4 +1,4 @@
-/// What the runs behind the paper's figures gave, and what is read off them.
+/// Results of the runs behind the paper's figures, and values derived from them.
 #pragma once
 
 #include "apps/reproduce/element_figures.hpp"
@@ -23,15 +23,15 @@ public:
   [[nodiscard]] std::string in_this_way(const std::string& name) const { return name + way_.suffix; }
   [[nodiscard]] const Figures& figures() const { return figures_; }
   [[nodiscard]] const Values& paper_case() const { return case_; }
-  /// A run that came to its end; none if it did not, or was not asked for.
+  /// A completed run; null if it did not complete or was not requested.
   [[nodiscard]] const RunResult* done(const std::string& name) const;
-  [[nodiscard]] std::vector<RunResult> some(const std::vector<std::string>& names) const; ///< of those that there are
+  [[nodiscard]] std::vector<RunResult> some(const std::vector<std::string>& names) const; ///< those that exist
 
   /// A figure of a run's summary, or of the band in it as "band.…"; NaN where there is none.
   [[nodiscard]] double figure(const std::string& run, const std::string& name) const;
-  /// φ at a strain by the initial width, as the paper has it; NaN where there is none [deg]
+  /// φ at a strain by the initial width, as in the paper; NaN where there is none [deg]
   [[nodiscard]] double angle_at(const std::string& run, double u_over_h) const;
-  /// The same by the present width: that of the stress there is [deg]
+  /// The same by the present width, for the true stress [deg]
   [[nodiscard]] double true_angle_at(const std::string& run, double u_over_h) const;
   /// ψ at the peak, sin ψ = −(ε̇1 + ε̇3)/(ε̇1 − ε̇3), from the width of the specimen over the last 0.3 % of u/h0 before
   /// it; NaN where there is none [deg]
@@ -39,17 +39,17 @@ public:
   /// Vertical shortening of the blocks on both sides of the band at a strain, from a plane through the displacements
   /// of each; NaN where there is no band [-]
   [[nodiscard]] double block_compression(const std::string& run, double u_over_h) const;
-  /// The greatest distance of two curves between two strains; NaN where one is missing [deg]
+  /// The largest difference of two curves between two strains; NaN where one is missing [deg]
   [[nodiscard]] double distance(const std::string& a, const std::string& b, double from, double to) const;
   /// The band at a strain, measured anew from the frame there.
   [[nodiscard]] std::optional<ShearBand> band_at(const std::string& run, double u_over_h) const;
 
-  /// How much of what dilates at a strain, Σ V (e − e0) over the median, lies in the upper half of the specimen; NaN
-  /// where there is no frame [-]
+  /// Share of the dilation at a strain, Σ V (e − e0) over the median, in the upper half of the specimen; NaN where
+  /// there is no frame [-]
   [[nodiscard]] double dilation_above(const std::string& run, double u_over_h) const;
 
-  /// φ of the one-dimensional band of the same inclination at a strain, and where its band has slipped as far: where
-  /// as much of the shortening is not the blocks'. NaN where there is no band [deg]
+  /// φ of the one-dimensional band of the same inclination, at the same strain and at the same slip, where the blocks'
+  /// share is subtracted from the shortening. NaN where there is no band [deg]
   [[nodiscard]] double band_angle(const std::string& run, double u_over_h) const;
   [[nodiscard]] double band_angle_at_equal_slip(const std::string& run, double u_over_h) const;
 

@@ -11,7 +11,7 @@ namespace riedel {
 using Figures = std::set<int>;
 inline const Figures all_figures{2, 3, 4, 5, 7, 8, 9, 10};
 
-/// Names of runs: the paper's case stands in all four figures.
+/// Names of runs: the paper's case belongs to all four figures.
 inline constexpr const char* paper_run = "24x84";
 /// The three meshes of Figure 7, with the automatic time step and with a fixed one.
 std::vector<std::string> mesh_runs();
@@ -28,12 +28,12 @@ std::vector<std::string> density_runs();
 struct Way {
   std::string name;                  ///< on the command line
   std::string title;                 ///< such as "as the paper did it"
-  std::string scheme;                ///< unless another is asked for
+  std::string scheme;                ///< unless another is requested
   std::string suffix;                ///< of the names and labels of its runs
-  std::vector<std::string> settings; ///< "KEY=VALUE", which a user's own come after
+  std::vector<std::string> settings; ///< "KEY=VALUE", followed by the user's
 };
-/// "paper": stresses as the points have them, damped by the step. "filtered": without what no node sees, damped by
-/// time, and slow enough for the band after the peak.
+/// "paper": unfiltered stresses, damped per step. "filtered": without the stresses that the nodes do not resolve,
+/// damped by time, and slow enough for the band after the peak.
 const std::vector<Way>& all_ways();
 
 /// The runs that these figures need, each a variant of the paper's case.

@@ -1,4 +1,4 @@
-/// riedel reproduce: the paper, figure by figure, and its statements beside what comes out.
+/// riedel reproduce: the paper, figure by figure, and its statements compared with the results.
 #include "apps/built_in.hpp"
 #include "apps/commands.hpp"
 #include "apps/kinds.hpp"
@@ -80,7 +80,7 @@ Reproduction reproduction_of(const std::vector<PaperResults>& ways, const Figure
 Page report(const std::string& command, const std::vector<PaperResults>& ways, const Reproduction& found) {
   Page page("Krzyżanowski, Wójcik and Tejchman (2020), reproduced");
   page.facts(provenance(command, ways.front().all()));
-  page.heading("What the paper says, and what came out");
+  page.heading("Statements of the paper, and results");
   page.table(statement_table(found.verdicts));
   for (std::size_t i = 0; i < found.curves.size(); ++i) {
     const FigurePart& part = found.curves[i];
@@ -102,9 +102,9 @@ Page report(const std::string& command, const std::vector<PaperResults>& ways, c
   return page;
 }
 
-/// Runs of one kind, done now or before; none where no figure needs any.
+/// Runs of one kind, done now or earlier; none if no figure needs any.
 struct PaperRuns {
-  OutputFolder folder; ///< held until the figures are drawn
+  OutputFolder folder; ///< locked until the figures are drawn
   std::vector<RunResult> results;
 };
 PaperRuns runs_of(const RunKind& kind, const Arguments& arguments, const std::vector<Variant>& variants,

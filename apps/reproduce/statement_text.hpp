@@ -1,4 +1,4 @@
-/// Numbers as statements tell them, and how they decide.
+/// Numbers as the statements print them, and the rules for verdicts.
 #pragma once
 
 #include "apps/reproduce/statements.hpp"
@@ -21,7 +21,7 @@ inline Verdict decide(bool known, bool holds, Verdict otherwise = Verdict::diffe
 inline Verdict within(double value, double wanted, double tolerance, Verdict otherwise = Verdict::differs) {
   return decide(!std::isnan(value), std::abs(value - wanted) <= tolerance, otherwise);
 }
-/// Rising, with dips no greater than the tolerance; what is missing is left out, as long as three remain.
+/// Rising, with dips no larger than the tolerance; missing values are left out, as long as three remain.
 inline Verdict rising(std::vector<double> values, double tolerance) {
   std::erase_if(values, [](double x) { return std::isnan(x); });
   bool holds = true;

@@ -8,7 +8,7 @@ namespace riedel {
 
 namespace {
 
-/// With one way: where, claim, verdict, measured, theory, reason; with several the two in the middle for each.
+/// For one way: where, claim, verdict, measured, theory, reason; for several, verdict and measured for each.
 std::vector<std::string> columns_of(const std::vector<Verdicts>& verdicts) {
   std::vector<std::string> columns{"where", "the paper says"};
   for (const Verdicts& one : verdicts) {
@@ -20,7 +20,7 @@ std::vector<std::string> columns_of(const std::vector<Verdicts>& verdicts) {
   return columns;
 }
 
-/// What several ways have to say, each thing once.
+/// The texts of several ways, without repetitions.
 std::string joined(const std::vector<Verdicts>& verdicts, std::size_t i, std::string Statement::*part) {
   std::vector<std::string> texts;
   for (const Verdicts& one : verdicts)

@@ -1,12 +1,12 @@
-/// What the paper says, and what came out.
+/// The statements of the paper, compared with the results.
 #pragma once
 
 #include "apps/reproduce/paper_results.hpp"
 
 namespace riedel {
 
-/// `cannot_hold`: it contradicts the paper's own law or its discretisation, whoever computes it. `open`: a run that it
-/// takes is missing.
+/// `cannot_hold`: it contradicts the paper's own law or its discretisation, whatever the program. `open`: a run that it
+/// needs is missing.
 enum class Verdict { agrees, differs, cannot_hold, open };
 [[nodiscard]] const char* name_of(Verdict verdict);
 
@@ -14,9 +14,9 @@ struct Statement {
   std::string where;    ///< figure or section of the paper
   std::string claim;    ///< in our words, with the paper's number
   std::string measured; ///< with the tolerance that decides
-  std::string theory;   ///< what it should be, where that is known; else empty
+  std::string theory;   ///< the expected value, if known; otherwise empty
   Verdict verdict = Verdict::open;
-  std::string reason; ///< of what does not agree
+  std::string reason; ///< of a disagreement
 };
 
 /// Those about the figures that were reproduced, in the paper's order.
@@ -24,7 +24,7 @@ std::vector<Statement> element_statements(const CriticalState& end);
 std::vector<Statement> biaxial_statements(const PaperResults& results);
 std::vector<Statement> mesh_statements(const PaperResults& results); ///< those among them about Figure 7
 
-/// The same statements about runs made in one way or the other.
+/// The statements about the runs of one way.
 struct Verdicts {
   std::string way; ///< its title
   std::vector<Statement> statements;

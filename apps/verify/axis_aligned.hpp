@@ -6,7 +6,7 @@
 
 namespace riedel {
 
-/// φ = (0, π), so that the motion starts from the square.
+/// φ = (0, π), so that the motion starts from the undeformed square.
 /// @param cells along an edge
 /// @param amplitude A [m]
 Manufactured<2> axis_aligned_in_square(Index cells, double amplitude);

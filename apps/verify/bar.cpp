@@ -1,5 +1,5 @@
-/// A bar of length L, fixed at one end, that vibrates along its axis in its first mode and by so little that points
-/// stay where they are: v = v0 sin(πX/2L) cos(ωt), ω = πc/2L, c² = E/ρ. Sulsky, Chen & Schreyer (1995), Comput. Phys.
+/// A bar of length L, fixed at one end, that vibrates along its axis in its first mode, with an amplitude so small that
+/// points stay in place: v = v0 sin(πX/2L) cos(ωt), ω = πc/2L, c² = E/ρ. Sulsky, Chen & Schreyer (1995), Comput. Phys.
 /// Commun. 87; Bardenhagen & Kober (2004), section 4.
 #include "apps/verify/bar.hpp"
 
@@ -14,7 +14,7 @@ const double wave = std::sqrt(modulus / density), omega = std::numbers::pi * wav
 
 double mode(double X) { return std::sin(std::numbers::pi * X / (2 * length)); }
 
-/// Share of the mode in the points' velocities.
+/// Contribution of the mode to the points' velocities.
 double modal_velocity(const Points<2>& points, const std::vector<Vec<2>>& X) {
   double sum = 0.0, whole = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
@@ -25,8 +25,8 @@ double modal_velocity(const Points<2>& points, const std::vector<Vec<2>>& X) {
   return sum / whole;
 }
 
-/// The known answer after one period is the velocity at the start. The frequency is that of the zeros of the mode's
-/// velocity, half a period apart; the amplitude is what the mode's velocity has come back to.
+/// The exact solution after one period is the initial velocity. The frequency follows from the zeros of the mode's
+/// velocity, half a period apart; the amplitude is the mode's velocity after the period.
 VerifyRun run_bar(const VerifyCase& given) {
   VerifySetup setup = make_setup<2>(
       given, {.cells = {given.cells, 1},

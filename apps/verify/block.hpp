@@ -1,4 +1,4 @@
-/// What the problems start from: a block of points on a grid with room around it, and rollers.
+/// Common setup of the problems: a block of points on a grid with room around it, and rollers.
 #pragma once
 
 #include "apps/verify/problem.hpp"
@@ -12,7 +12,7 @@ struct VerifyBlock {
   Counts<Dim> cells{};
   double cell = 1.0;                  ///< [m]
   int points = 2;                     ///< for a cell along each axis
-  Vec<Dim> filled = Vec<Dim>::Ones(); ///< share of the box that the points share out among them, along each axis [-]
+  Vec<Dim> filled = Vec<Dim>::Ones(); ///< fraction of the box that the points fill, along each axis [-]
   std::string material;
   std::map<std::string, Value> parameters;
   bool (*holds)(const Vec<Dim>& x) = nullptr; ///< which points of the box are material; none: all
@@ -24,7 +24,7 @@ struct Side {
   bool far = false;
 };
 
-/// A field by the points' places at the start, and one by time as well.
+/// A field of the points' initial positions, and one that also depends on time.
 template <int Dim>
 using VectorField = std::function<Vec<Dim>(const Vec<Dim>& X)>;
 template <int Dim>
@@ -42,7 +42,7 @@ struct VerifySetup {
   [[nodiscard]] std::vector<Vec<Dim>> places() const;  ///< X of the points, by their numbers [m]
   void set_velocity(const VectorField<Dim>& velocity); ///< [m/s]
   void add_body_force(const Course<Dim>& per_mass);    ///< [N/kg]
-  /// Holds the velocity across a side of the box, everywhere behind it.
+  /// Fixes the velocity normal to a side of the box, everywhere behind it.
   void add_roller(const Side& side);
   /// Chooses the time step so that `duration` is a whole number of steps. @return that number
   /// @param speed of the fastest wave [m/s]
@@ -52,7 +52,7 @@ struct VerifySetup {
 template <int Dim>
 VerifySetup<Dim> make_setup(const VerifyCase& given, const VerifyBlock<Dim>& block);
 
-/// Where a point started, the points having been sorted since. @param X by the points' numbers
+/// Initial position of a point, also after the points have been sorted. @param X by the points' numbers
 template <int Dim>
 const Vec<Dim>& start_of(const Points<Dim>& points, Index p, const std::vector<Vec<Dim>>& X) {
   return X[static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)])];

@@ -1,6 +1,6 @@
-/// A column between rollers under a growing weight of its own, at rest in the end: σ_yy = −ρ0 g (l0 − Y), Y the height
-/// at the start, at any strain because the width stays as it is. The foot is strained by 10 %, so that the upper points
-/// cross cells.
+/// A column between rollers under its own growing weight, at rest in the end: σ_yy = −ρ0 g (l0 − Y), with Y the initial
+/// height, at any strain because the width is constant. The foot is strained by 10 %, so that the upper points cross
+/// cells.
 #include "apps/verify/column.hpp"
 
 #include "apps/riedel.hpp"
@@ -22,7 +22,7 @@ VerifyRun run_column(const VerifyCase& given) {
   for (const Side side : {Side{0, false}, Side{0, true}, Side{1, false}}) setup.add_roller(side);
   setup.model.transfer = make(given.catalogue.in_2d.transfers, "flip", {{"flip", 0.0}});
   const std::vector<Vec<2>> Y = setup.places();
-  const double growth = 4.0 * height / std::sqrt(modulus / density); // four times the way of a wave
+  const double growth = 4.0 * height / std::sqrt(modulus / density); // the travel time of a wave over four heights
   setup.add_body_force(
       [growth](const Vec<2>&, double time) { return Vec<2>(0.0, -gravity * std::min(1.0, time / growth)); });
 
@@ -39,8 +39,8 @@ VerifyRun run_column(const VerifyCase& given) {
   return {norm.value(), watch.ns()};
 }
 
-/// Schemes that weigh at the point alone do not see the points' new lengths. Hats lose convergence with it; the smooth
-/// ones keep an error of a hundredth.
+/// Schemes that evaluate weights only at the point do not take the points' new lengths into account. Hats then do not
+/// converge; the smooth ones keep an error of a hundredth.
 Expectation expectation(const SchemeTraits& scheme) {
   if (scheme.domain == PointDomain::none) return {};
   return {"1", 0.5};
@@ -50,7 +50,7 @@ Expectation expectation(const SchemeTraits& scheme) {
 
 VerifyProblem column_problem() {
   return {.name = "column",
-          .title = "column under a growing weight of its own, strain 10 %",
+          .title = "column under its own growing weight, strain 10 %",
           .measure = "Relative L2 error of the stress, σ_yy = −ρ0 g (l0 − Y)",
           .source = "closed form",
           .cells = {8, 16, 32},

@@ -1,6 +1,6 @@
 /// Two elastic discs in a unit square that fly at each other along its diagonal, collide and part: Sulsky, Chen &
-/// Schreyer (1994), Comput. Methods Appl. Mech. Engng 118. Momentum and the sum of kinetic and stored energy stay as
-/// they are; a part of the motion becomes vibration.
+/// Schreyer (1994), Comput. Methods Appl. Mech. Engng 118. Momentum and the sum of kinetic and stored energy are
+/// conserved; a part of the motion becomes vibration.
 #include "apps/verify/discs.hpp"
 
 #include "apps/verify/manufactured.hpp"
@@ -48,7 +48,7 @@ VerifyRun run_discs(const VerifyCase& given) {
            (end.kinetic + end.internal) / energy - 1.0, end.kinetic / energy - 1.0}};
 }
 
-/// A time step's error at the most. Gradients that jump add that of crossing cells.
+/// At most the error of the time step. Discontinuous gradients add that of crossing cells.
 Expectation expectation(const SchemeTraits& scheme) {
   if (!scheme.continuous_gradients) return {};
   return {.text = "below 0.01", .max_error = 0.01};
@@ -58,8 +58,8 @@ Expectation expectation(const SchemeTraits& scheme) {
 
 VerifyProblem discs_problem() {
   return {.name = "discs",
-          .title = "two discs that collide and part",
-          .measure = "Relative change of the total energy, which stays as it is",
+          .title = "two discs that collide and separate",
+          .measure = "Relative change of the total energy, which is conserved",
           .source = "Sulsky, Chen & Schreyer (1994)",
           .cells = {20, 40},
           .figures = {"momentum", "energy", "kinetic"},

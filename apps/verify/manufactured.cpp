@@ -9,7 +9,7 @@ namespace riedel {
 
 namespace {
 
-/// Puts the points where the motion begins, with volume, b and stress of neo-Hookean material there.
+/// Moves the points to the start of the motion, with volume, b and stress of neo-Hookean material there.
 template <int Dim>
 void deform(VerifySetup<Dim>& setup, const Manufactured<Dim>& solution) {
   const auto& law = dynamic_cast<const NeoHookean&>(*setup.state.bodies.front().material);

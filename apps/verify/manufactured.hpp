@@ -1,4 +1,4 @@
-/// Manufactured solutions: a motion that is chosen first, and the body force that makes it the answer.
+/// Manufactured solutions: a chosen motion, and the body force that makes it the exact solution.
 #pragma once
 
 #include "apps/verify/block.hpp"

@@ -1,4 +1,4 @@
-/// What the problems are measured with: a watch, and the norm of an error (core/analysis/error_norm.hpp).
+/// Measuring the problems: a stopwatch, and the norm of an error (core/analysis/error_norm.hpp).
 #pragma once
 
 #include "apps/verify/block.hpp"
@@ -9,8 +9,8 @@
 
 namespace riedel {
 
-/// Sums up the time that the steps of runs take, and stops when it is told to. The time is that of the thread, so that
-/// others on the machine hardly count.
+/// Sums up the time of the steps of runs, and ends a run on request. It is the time of the thread, so that other
+/// processes on the machine have little effect.
 class Watch {
 public:
   explicit Watch(const VerifyCase& given) : stop_(given.stop) {}

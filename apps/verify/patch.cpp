@@ -12,7 +12,7 @@ constexpr double modulus = 20e6, density = 2000.0;
 const double wave = std::sqrt(1.35 * modulus / density); // with Poisson's ratio 0.3 [m/s]
 constexpr Index steps = 100;                             ///< of a linear motion
 
-/// Holds all nodes in the velocity A x plus a constant; none of the points moves by more than a few cells.
+/// Prescribes the velocity A x plus a constant on all nodes; no point moves by more than a few cells.
 /// @return the constant [m/s]
 template <int Dim>
 Vec<Dim> hold_nodes_in(VerifySetup<Dim>& setup, const Mat<Dim>& A) {
@@ -22,7 +22,7 @@ Vec<Dim> hold_nodes_in(VerifySetup<Dim>& setup, const Mat<Dim>& A) {
     Index b = 0;
     A.row(a).cwiseAbs().maxCoeff(&b);
     const double slope = A(a, b);
-    // Rows between which a body stretches are walls to some schemes: the grid's ends.
+    // Some schemes take the rows between which a body stretches as walls: here the grid's ends.
     const Index still = b == a ? 0 : grid.nodes[b] / 2, last = grid.nodes[b] - 1;
     VelocityOnNodes<Dim> condition{.name = "all nodes",
                                    .axis = a,
@@ -96,7 +96,7 @@ double error_of_linear_motion(VerifySetup<Dim> setup, const Mat<Dim>& A, Watch& 
 
 namespace {
 
-/// Of the translation, a rotation, a shear and a stretching.
+/// Errors of the translation, a rotation, a shear and a stretching.
 template <int Dim>
 std::array<double, 4> errors_of_motions(const VerifyCase& given, Watch& watch) {
   Mat<Dim> rotation = Mat<Dim>::Zero(), shear = rotation, stretching = rotation;
@@ -127,7 +127,7 @@ Expectation expectation(const SchemeTraits& scheme) { return {.text = "exact", .
 VerifyProblem patch_problem() {
   return {.name = "patch",
           .title = "translation, rotation, shear and stretching across cells, in two and three dimensions",
-          .measure = "Greatest error of velocity, place, F and stress",
+          .measure = "Largest error of velocity, position, F and stress",
           .source = "closed form",
           .cells = {4},
           .figures = {"translation", "rotation", "shear", "stretching"},

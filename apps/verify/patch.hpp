@@ -1,4 +1,4 @@
-/// Patch tests through whole steps: motions that every scheme must carry out exactly.
+/// Patch tests through whole steps: motions that every scheme must reproduce exactly.
 #pragma once
 
 #include "apps/verify/measure.hpp"
@@ -9,13 +9,14 @@ namespace riedel {
 template <int Dim>
 VerifySetup<Dim> make_patch(const VerifyCase& given);
 
-/// The greatest errors of all points: of velocities, F and stresses over their scales, and of places in cells.
+/// The largest errors of all points: of velocities, F and stresses relative to their scales, of positions in cells.
 /// A free body in uniform translation by nearly two cells stays free of strain and stress.
 template <int Dim>
 double error_of_translation(VerifySetup<Dim> setup, Watch& watch);
 
-/// The nodes are held in v = A x/T plus a constant over n steps, T in all: F = (I + A/n)ⁿ everywhere, and one stress.
-/// @param A one entry in a row at the most [-]
+/// The nodes move with v = A x/T plus a constant over n steps of total time T: F = (I + A/n)ⁿ and the stress are
+/// uniform.
+/// @param A at most one entry in a row [-]
 template <int Dim>
 double error_of_linear_motion(VerifySetup<Dim> setup, const Mat<Dim>& A, Watch& watch);
 

@@ -1,6 +1,6 @@
 /// Expanding ring, a manufactured solution (Wallstedt & Guilkey 2008, J. Comput. Phys. 227): u = A sin(cπt) g(R) along
 /// e_R, g = c3 R³ + c2 R² + c1 R, c² = E/ρ, in a ring 0.4 < R < 0.6 of neo-Hookean material with ν = 0, of which a
-/// quarter between rollers is looked at. The coefficients make g(0.6) = 1 and g′ = 0 on both faces, which then are free
+/// quarter between rollers is modelled. The coefficients make g(0.6) = 1 and g′ = 0 on both faces, which then are free
 /// of traction at any A. With F = diag(1 + A sin(cπt) g′, 1 + A sin(cπt) g/R) and P = μ (F − F⁻¹), balance of momentum
 /// leaves the body force ∂²u/∂t² − (∂P_R/∂R + (P_R − P_θ)/R)/ρ along e_R.
 #include "apps/verify/ring.hpp"

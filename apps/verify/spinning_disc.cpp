@@ -1,5 +1,5 @@
-/// An elastic disc that turns ten times about its middle, free of forces. It starts as a rigid body would turn, so that
-/// it widens by a hundredth and vibrates; angular momentum and the sum of kinetic and stored energy stay as they are.
+/// An elastic disc that rotates ten times about its centre, free of forces. It starts with a rigid rotation, so that it
+/// widens by a hundredth and vibrates; angular momentum and the sum of kinetic and stored energy are conserved.
 #include "apps/verify/spinning_disc.hpp"
 
 #include "apps/verify/manufactured.hpp"
@@ -11,12 +11,12 @@ namespace {
 
 constexpr ElasticConstants solid{.modulus = 1e6, .poisson = 0.3, .density = 1000.0};
 constexpr double radius = 0.4, turns = 10.0;          ///< radius [m]
-const double rate = 0.1 * solid.bar_speed() / radius; ///< ω, its rim moves with a tenth of √(E/ρ) [1/s]
+const double rate = 0.1 * solid.bar_speed() / radius; ///< ω; its rim moves with a tenth of √(E/ρ) [1/s]
 const Vec<2> middle(0.5, 0.5);                        ///< [m]
 
 bool in_disc(const Vec<2>& X) { return (X - middle).norm() < radius; }
 
-/// About the middle [kg m/s].
+/// About the centre [kg m/s].
 double angular_momentum_of(const Points<2>& points) {
   double sum = 0.0;
   for (Index p = 0; p < points.size(); ++p) {
@@ -50,8 +50,8 @@ Expectation expectation(const SchemeTraits&) { return {}; }
 
 VerifyProblem spinning_disc_problem() {
   return {.name = "spinning_disc",
-          .title = "free disc that turns ten times",
-          .measure = "Relative change of the angular momentum, which stays as it is",
+          .title = "free disc that rotates ten times",
+          .measure = "Relative change of the angular momentum, which is conserved",
           .source = "closed form",
           .cells = {10, 20},
           .figures = {"spin", "energy"},

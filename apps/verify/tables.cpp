@@ -125,7 +125,7 @@ Series series_of(const VerifyStudy& study) {
     series.y.push_back(study.runs[i].error);
   }
   series.color = palette_color(number);
-  series.dashes = dash_pattern(number % 2); // curves that lie on one another both show
+  series.dashes = dash_pattern(number % 2); // coinciding curves both show
   series.marker = marker_of(number);
   return series;
 }

@@ -1,4 +1,4 @@
-/// What `riedel verify` found, as tables, as numbers for other programs, and as pictures.
+/// The results of `riedel verify` as tables, as numbers for other programs, and as pictures.
 #pragma once
 
 #include "apps/verify/study.hpp"
@@ -19,7 +19,7 @@ std::string verify_csv(const std::vector<VerifyStudy>& studies);
 nlohmann::ordered_json verify_summary(const std::vector<VerifyStudy>& studies, const std::string& status);
 
 /// convergence.png: errors against cells, of `problem`. cost.png: a line for each scheme, from its error with coarse
-/// cells to that with fine ones, where its time for a point and step stands.
+/// cells to that with fine ones, at its time per point and step.
 void draw_verify(const std::vector<VerifyStudy>& studies, const VerifyProblem& problem,
                  const std::filesystem::path& folder);
 

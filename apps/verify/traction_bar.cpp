@@ -1,6 +1,6 @@
-/// A bar along x, held at one end and pulled by a traction on the other, at rest in the end: σ_xx is the traction
-/// everywhere. The pulled end lies in five places of a cell, one after the other. The strain of a millionth leaves the
-/// points where they are.
+/// A bar along x, fixed at one end and pulled by a traction on the other, at rest in the end: σ_xx is the traction
+/// everywhere. The pulled end lies at five positions in a cell, one after the other. With a strain of a millionth the
+/// points stay in place.
 #include "apps/verify/traction_bar.hpp"
 
 #include "apps/riedel.hpp"
@@ -26,7 +26,7 @@ SurfaceTraction<2> pull(const Points<2>& points, double end, double growth) {
   return load;
 }
 
-/// Greatest relative errors of the stress.
+/// Largest relative errors of the stress.
 struct StressErrors {
   double at_end = 0.0; ///< less than a cell from the end
   double before = 0.0; ///< in the rest of the bar
@@ -43,7 +43,7 @@ StressErrors errors_at_rest(const VerifyCase& given, double share, Watch& watch)
               .parameters = {{"youngs_modulus", modulus}, {"poissons_ratio", 0.0}, {"density", density}}});
   for (const Side side : {Side{0, false}, Side{1, false}}) setup.add_roller(side);
   setup.model.transfer = make(given.catalogue.in_2d.transfers, "flip", {{"flip", 0.0}});
-  const double growth = 4.0 * length / std::sqrt(modulus / density); // four times the way of a wave
+  const double growth = 4.0 * length / std::sqrt(modulus / density); // the travel time of a wave over four lengths
   setup.model.surface_tractions.push_back(pull(setup.points(), end, growth));
 
   Simulation<2> simulation(std::move(setup.model), std::move(setup.state));
@@ -69,8 +69,8 @@ VerifyRun run_bar(const VerifyCase& given) {
   return {maximum.at_end, watch.ns(), {maximum.before}};
 }
 
-/// Where domains fill the bar, a uniform stress is in equilibrium with the traction. Hats at points and splines do not
-/// end where the bar does.
+/// Where domains fill the bar, a uniform stress is in equilibrium with the traction. Hats at points and splines extend
+/// beyond the end of the bar.
 Expectation expectation(const SchemeTraits& scheme) {
   if (scheme.domain == PointDomain::none) return {};
   return {.text = "uniform", .max_error = 1e-4};
@@ -80,8 +80,8 @@ Expectation expectation(const SchemeTraits& scheme) {
 
 VerifyProblem traction_bar_problem() {
   return {.name = "traction_bar",
-          .title = "bar under a traction on its end, which lies anywhere in a cell",
-          .measure = "Greatest relative error of the stress less than a cell from the end",
+          .title = "bar under a traction on its end, at any position in a cell",
+          .measure = "Largest relative error of the stress less than a cell from the end",
           .source = "closed form",
           .cells = {8},
           .figures = {"elsewhere"},

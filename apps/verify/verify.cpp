@@ -1,4 +1,4 @@
-/// riedel verify: problems with known answers under every scheme, and the orders of convergence.
+/// riedel verify: problems with known solutions under every scheme, and the orders of convergence.
 #include "apps/built_in.hpp"
 #include "apps/commands.hpp"
 #include "apps/verify/tables.hpp"
@@ -29,14 +29,14 @@ Names problem_names() {
   return names;
 }
 
-/// The problem that the pictures show: the square whose points cross cells if it was done, else the first.
+/// The problem that the pictures show: the square whose points cross cells if it was run, otherwise the first.
 const VerifyProblem& drawn(const Studies& studies) {
   for (const VerifyStudy& each : studies)
     if (each.problem->name == "square_crossing") return *each.problem;
   return *studies.front().problem;
 }
 
-/// Problem by problem; those that were done when an interrupt came.
+/// Problem by problem; after an interrupt those completed before.
 Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names& problems, int points,
                   const Interrupt& interrupt) {
   Progress progress("verify");
@@ -51,14 +51,14 @@ Studies carry_out(const Catalogue& catalogue, const Names& schemes, const Names&
         studies.push_back(study(problem, catalogue, scheme, options));
       }
     }
-  } catch (const VerifyStopped&) {} // what is done stays
+  } catch (const VerifyStopped&) {} // completed studies are kept
   return studies;
 }
 
 void write_results(const Studies& studies, const std::string& status, OutputFolder& output) {
   const std::filesystem::path& folder = output.path();
   const std::string tables = verify_tables(studies);
-  output.replace(); // not before there is something to take the place of what was there
+  output.replace(); // only now, when there are new results
   write_atomically(folder / "verify.md", tables);
   write_atomically(folder / "verify.csv", verify_csv(studies));
   write_atomically(folder / "summary.json", verify_summary(studies, status).dump(2) + "\n");

@@ -1,6 +1,6 @@
 /// Generalized vortex, a manufactured solution (Kamojjala, Brannon, Sadeghirad & Guilkey 2015, Engineering with
-/// Computers 31): a ring 0.75 < R < 1.25 turns about its middle by the angle α = g(t) h(R), h = 1 − 32 (R − 1)²
-/// + 256 (R − 1)⁴, and its sides stay at rest and free of traction. In the basis (e_r, e_θ) of the point's place
+/// Computers 31): a ring 0.75 < R < 1.25 rotates about its centre by the angle α = g(t) h(R), h = 1 − 32 (R − 1)²
+/// + 256 (R − 1)⁴, and its sides stay at rest and free of traction. In the basis (e_r, e_θ) at the point's position
 /// b = I + γ (e_r ⊗ e_θ + e_θ ⊗ e_r) + γ² e_θ ⊗ e_θ with γ = R α′, J = 1 and σ = μ (b − I). Balance of momentum leaves
 /// the body force −R α̇² + μ R α′²/ρ along e_r and R α̈ − μ (3 α′ + R α″)/ρ along e_θ.
 #include "apps/verify/vortex.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi, duration = 1.0;
 constexpr ElasticConstants solid{.modulus = 1000.0, .poisson = 0.3, .density = 1000.0};
 constexpr double inner = 0.75, outer = 1.25, room = 1.25; ///< room: from the corner of the box to the middle
-constexpr double angle = pi / 12;                         ///< greatest turn
+constexpr double angle = pi / 12;                         ///< maximum rotation
 const Vec<2> middle(room, room);
 
 Vec<2> turned(const Vec<2>& v, double by) {
@@ -58,11 +58,11 @@ VerifyRun run_vortex(const VerifyCase& given) { return run_manufactured(given, v
 } // namespace
 
 Manufactured<2> vortex(Index cells) {
-  const double stretch = 1 + angle * 7.8; // of the most sheared points, at the least: bounds their wave speed
+  const double stretch = 1 + angle * 7.8; // at least that of the most sheared points: bounds their wave speed
   return {
       .block = {.cells = {5 * cells, 5 * cells},
                 .cell = (outer - inner) / cells,
-                .points = 3, // shear draws points 2.3 times as far apart as they were; two would part by over a cell
+                .points = 3, // shear moves points 2.3 times as far apart; two points would separate by more than a cell
                 .material = "neo_hookean",
                 .parameters = solid.parameters(),
                 .holds = in_ring},
@@ -76,7 +76,7 @@ Manufactured<2> vortex(Index cells) {
 
 VerifyProblem vortex_problem() {
   return {.name = "vortex",
-          .title = "generalized vortex, 15° at the most",
+          .title = "generalized vortex, at most 15°",
           .measure = "Relative L2 error of the displacement there and back",
           .source = "Kamojjala, Brannon, Sadeghirad & Guilkey (2015)",
           .cells = {4, 8, 16},

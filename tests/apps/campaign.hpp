@@ -1,4 +1,4 @@
-/// A folder for a campaign of coarse runs, and what it comes to hold.
+/// A folder for a campaign of coarse runs, and its content.
 #pragma once
 
 #include "apps/program.hpp"
@@ -23,7 +23,7 @@ protected:
   }
   [[nodiscard]] Outcome compare(const Words& more) const { return run(folder_, all(more)); }
 
-  /// The rows of results.csv without the columns that tell of time and of threads.
+  /// The rows of results.csv without the columns of time and threads.
   [[nodiscard]] Rows results() const {
     std::istringstream file(file_content(out_ / "results.csv"));
     std::string line;

@@ -1,4 +1,4 @@
-/// A specimen with bands drawn on it, for tests of what is measured of them.
+/// A specimen with artificial bands, for tests of their measures.
 #pragma once
 
 #include "core/analysis/shear_band.hpp"
@@ -74,7 +74,7 @@ public:
     }
     return *this;
   }
-  /// Turns the whole specimen a little.
+  /// Rotates the whole specimen a little.
   Specimen& tilt(double angle) {
     for (double& r : rotation_) r += angle;
     return *this;

@@ -1,4 +1,4 @@
-/// Files of IncrementalDriver in a folder, and what becomes of them.
+/// Files of IncrementalDriver in a folder, and their import.
 #pragma once
 
 #include "apps/element/incremental/driver.hpp"

@@ -1,4 +1,4 @@
-/// The program as a process of its own, as a user starts it.
+/// The program as a separate process, as a user starts it.
 #pragma once
 
 #include "temporary_folder.hpp"
@@ -19,7 +19,7 @@ struct Outcome {
   std::string out, err;
 };
 
-/// A started program; what it prints goes to two files beside each other.
+/// A started program; its output goes to two files.
 class Process {
 public:
   /// @param largest_file no file may grow beyond it, as if the disk were full then [bytes]
@@ -73,7 +73,7 @@ inline Outcome run(const TemporaryFolder& folder, const Words& words, rlim_t lar
   return Process(folder, words, largest_file).finish();
 }
 
-/// `riedel biaxial` on few cells, fast and short, with results in `out`; `more` goes last and so has the last word.
+/// `riedel biaxial` on few cells, fast and short, with results in `out`; `more` comes last and so takes precedence.
 inline Words coarse_case(const std::filesystem::path& out, const Words& more = {}) {
   Words words{"biaxial", "--out", out.string()};
   if (std::ranges::find(more, "--threads") == more.end()) words.insert(words.end(), {"--threads", "1"});
@@ -85,7 +85,7 @@ inline Words coarse_case(const std::filesystem::path& out, const Words& more = {
   return words;
 }
 
-/// Every file below a folder, by its relative path, with what it holds.
+/// The content of every file below a folder, by its relative path.
 inline std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))

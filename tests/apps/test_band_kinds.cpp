@@ -1,4 +1,4 @@
-/// Where a band ends and a diffuse zone begins, which of its figures exist, and when they are doubted.
+/// The limit between a band and a diffuse zone, which of its measures exist, and when they are doubtful.
 #include "apps/drawn_specimen.hpp"
 
 namespace riedel::test {
@@ -19,7 +19,7 @@ TEST(ShearBandKind, HasNoThicknessByAVoidRatioThatNoPointReaches) {
   EXPECT_TRUE(std::isnan(band.thickness_over_lc));
 }
 
-/// Wider and wider zones of the same dilation: what is slender is a band, and what is not is diffuse, never nothing.
+/// Zones of the same dilation and increasing width: a slender one is a band, any other is diffuse, never none.
 TEST(ShearBandKind, IsDiffuseWhereItIsAsWideAsItIsLong) {
   BandKind last = BandKind::single;
   std::vector<BandKind> kinds;
@@ -33,7 +33,7 @@ TEST(ShearBandKind, IsDiffuseWhereItIsAsWideAsItIsLong) {
   EXPECT_EQ(kinds, (std::vector{BandKind::single, BandKind::diffuse})) << "it changes its kind once";
 }
 
-/// Weaker and weaker, or shorter and shorter: between a band and none lies what is diffuse.
+/// Decreasing strength or length: between a band and none there is a diffuse zone.
 TEST(ShearBandKind, IsDiffuseBeforeItIsNone) {
   const auto kinds_of = [](const auto& specimen) {
     std::vector<BandKind> kinds;
@@ -77,7 +77,7 @@ TEST(ShearBandKind, IsDoubtedWhereASecondOneIsHalfAsStrong) {
   EXPECT_EQ(with(0.27).doubt(), "");
 }
 
-/// A law without a void ratio: its shear strain tells.
+/// A law without a void ratio: the band is measured by the shear strain.
 TEST(ShearBandKind, IsMeasuredByShearWhereThereIsNoVoidRatio) {
   for (const Mesh mesh : meshes) {
     const ShearBand band =

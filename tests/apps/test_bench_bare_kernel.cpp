@@ -9,7 +9,7 @@
 namespace riedel::test {
 namespace {
 
-/// Greatest difference of two columns, relative to the greatest value.
+/// Largest difference of two columns, relative to the largest value.
 double difference(const Columns& a, const Columns& b, int component) {
   double maximum = 0.0, scale = 1e-300;
   for (Index p = 0; p < a.size(); ++p) {
@@ -19,10 +19,10 @@ double difference(const Columns& a, const Columns& b, int component) {
   return maximum / scale;
 }
 
-/// Runs the library's USL step and the kernel side by side, and compares all that the kernel knows.
+/// Runs the library's USL step and the kernel side by side, and compares all fields of the kernel.
 template <class Law, std::size_t States, int Nodes>
 void expect_the_same_step(const std::string& scheme, double faster, double tolerance) {
-  // Not a multiple of eight points; a time step that both take.
+  // Not a multiple of eight points; the same time step for both.
   Simulation<2> library = make_block<2>(
       {.scheme = scheme, .material = std::string(Law::name), .order = "usl", .points = 1188}, catalogue());
   Points<2>& points = library.state().bodies.front().points;
@@ -57,7 +57,7 @@ void expect_the_same_step(const std::string& scheme, double faster, double toler
   EXPECT_EQ(library.state().report.substepped, 0);
 }
 
-// One rate of an elastic law is as good as two: the kernel's Euler step and the library's are equal.
+// For an elastic law one rate is exact: the kernel's Euler step and the library's are equal.
 TEST(BareKernel, IsTheLibrarysStepWithAnElasticLaw) {
   expect_the_same_step<LinearElastic, 0, 2>("linear", 100, 1e-9);
   expect_the_same_step<LinearElastic, 0, 3>("gimp", 100, 1e-9);

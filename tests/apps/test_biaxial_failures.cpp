@@ -1,4 +1,4 @@
-/// `riedel biaxial` when things go wrong: what it tells, how it ends, and that nothing written so far is lost.
+/// Failures of `riedel biaxial`: what it reports, how it ends, and that nothing written so far is lost.
 #include "apps/biaxial/keys.hpp"
 #include "apps/biaxial/specimen.hpp"
 #include "apps/program.hpp"

@@ -173,7 +173,7 @@ TEST(BiaxialCheck, RefusesAStressFilterWhoseNumbersDoNotFit) {
             HasSubstr("allowed: up to 1000.0 1/s")));
   EXPECT_THAT(errors({"time.stress_filter=-1"}), HasSubstr("--set time.stress_filter: "));
   EXPECT_THAT(errors({"time.stress_filter=1e9"}),
-              AllOf(HasSubstr("is over one in a time step of"), HasSubstr("allowed: up to")));
+              AllOf(HasSubstr("is more than one per time step of"), HasSubstr("allowed: up to")));
   EXPECT_THAT(errors({"time.stress_filter=0", "time.stress_filter_order=8"}), HasSubstr("a filter without a rate"));
   EXPECT_THAT(errors({"time.stress_filter=0", "time.stress_filter_steps=8"}), HasSubstr("a filter without a rate"));
   EXPECT_THAT(errors({"time.stress_filter_order=0"}), HasSubstr("allowed"));

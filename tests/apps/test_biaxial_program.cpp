@@ -1,4 +1,4 @@
-/// `riedel biaxial` as a user meets it: every file that a run promises, what they hold, and the same bits again.
+/// `riedel biaxial` as a user runs it: every promised file, its content, and identical bits in a second run.
 #include "apps/program.hpp"
 #include "apps/series.hpp"
 #include "core/png_pixels.hpp"
@@ -37,7 +37,7 @@ std::vector<std::string> keys_of(const json& object) {
   return keys;
 }
 
-/// Runs that compute the same leave the same files, but for the summary, which holds the time they took.
+/// Runs that compute the same write the same files, except for the summary, which holds the time they took.
 void expect_same_results(const fs::path& one, const fs::path& other) {
   auto first = files_in(one), second = files_in(other);
   EXPECT_GT(first.size(), 1U);

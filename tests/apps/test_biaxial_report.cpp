@@ -1,4 +1,4 @@
-/// What a biaxial run says of itself when it is short, stopped, or has no band: no zero stands for what does not exist.
+/// What a biaxial run reports when it is short, stopped, or has no band: missing values are not reported as zero.
 #include "apps/biaxial/report.hpp"
 #include "apps/biaxial/views.hpp"
 #include "apps/kinds.hpp"
@@ -53,7 +53,7 @@ TEST_F(BiaxialReport, OfAShortRunLeavesOutWhatItCannotHave) {
                                  HasSubstr("shear band none\n"), Not(HasSubstr("0.00 mm"))));
 }
 
-/// The residual angle is that of the last 1 % of u/h0, once the peak and 1 % more are over.
+/// The residual angle is that of the last 1 % of u/h0, if the run ends at least 1 % after the peak.
 TEST_F(BiaxialReport, HasAResidualAngleOnePercentPastThePeak) {
   const Words fast{"--set", "loading.speed=2", "--set", "nonlocal.length=0", "--set", "imperfection.size=[0,0]"};
   const auto run_to = [&](const std::string& name, const std::string& strain) {
@@ -103,7 +103,7 @@ TEST_F(BiaxialReport, OfAFailedRunSaysHowFarItCameAndKeepsItsFigures) {
   EXPECT_EQ(nulls_of(s["band"]).size(), s["band"].size());
 }
 
-/// Two specimens alike but for a thousandth: the zone of a long l_c is as wide as it is long in both.
+/// Two specimens that differ by a thousandth: in both the zone of a long l_c is as wide as it is long.
 TEST_F(BiaxialReport, TellsADiffuseZoneOfSpecimensThatAreNearlyAlike) {
   for (const char* void_ratio : {"0.549", "0.55", "0.551"}) {
     const Words words{"--set", "grid.cells=[12,42]",

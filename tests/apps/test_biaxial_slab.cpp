@@ -72,7 +72,7 @@ TEST_F(BiaxialSlab, LeavesFramesOfBoxesThatVtkReadsAndPicturesOfThePlane) {
     EXPECT_GT(PngPixels(out / name).width(), 300) << name;
 }
 
-/// Two points behind one another.
+/// Two points one behind the other.
 TEST(MeanOverDepth, IsAFrameOfThePlane) {
   Frame slab{.dimension = 3, .position = {1, 2, 0.5, 3, 4, 1.5}, .corners = {}, .fields = {}};
   for (const double z : {0.0, 1.0})

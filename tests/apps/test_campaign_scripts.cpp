@@ -1,4 +1,4 @@
-/// The runs of a campaign as scripts for elsewhere.
+/// Scripts that run a campaign elsewhere.
 #include "apps/campaign.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ TEST_F(Scripts, RunTheSameCampaignElsewhere) {
   }
 }
 
-/// Words that a shell would carry out, and letters that end lines, in the names of folders and of the program.
+/// Words that a shell would execute, and line ends, in the names of folders and of the program.
 TEST_F(Scripts, HoldEveryNameAsAWord) {
   const fs::path place = folder_ / "a b;touch hit\n'touch hit'$(touch hit)`touch hit`\"", program = place / "riedel";
   fs::create_directories(place);

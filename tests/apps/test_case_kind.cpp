@@ -1,4 +1,4 @@
-/// A case that stands behind the wrong command is told the right one, and the right one takes it.
+/// For a case given to the wrong command the message names the right one, which takes it.
 #include "apps/program.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-/// Folders of campaigns as anybody may have left them: what is read, what is removed, what is told.
+/// Folders of campaigns in any condition: what is read, what is removed, what is reported.
 #include "apps/campaign.hpp"
 #include "support/patterns.hpp"
 
@@ -65,7 +65,7 @@ TEST_F(Collect, ForceRemovesWhatRunsWroteAndNothingElse) {
   EXPECT_FALSE(fs::exists(out_ / "scheme=gimp/summary.json"));
 }
 
-/// One run after another is damaged in every way; the others are told as before.
+/// One run after another is damaged in every way; the others are reported as before.
 TEST_F(Collect, OutlivesWhateverARunHolds) {
   ASSERT_EQ(compare({"--schemes", "gimp,linear", "--set", "output.vtk=false"}).code, 0);
   const Rows before = results();

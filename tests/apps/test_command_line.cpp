@@ -68,7 +68,7 @@ TEST(CommandLine, TellsWhichOtherCommandTakesAnOption) {
   EXPECT_THAT(message(find_command(all, "biaxial"), "--shcemes"), Not(HasSubstr("takes it")));
 }
 
-/// So that words can be put behind those of a script.
+/// So that words can be appended to those of a script.
 TEST(CommandLine, TakesTheLastOfAnOptionThatIsGivenTwice) {
   EXPECT_EQ(parsed({"--out", "a", "-o", "b"}).out("here"), "b");
   EXPECT_EQ(parsed({"--force", "--force"}).words.size(), 0U); // says the same

@@ -1,4 +1,4 @@
-/// `riedel compare` and `riedel collect` as a user meets them.
+/// `riedel compare` and `riedel collect` as a user runs them.
 #include "apps/campaign.hpp"
 
 #include <gmock/gmock.h>
@@ -206,7 +206,7 @@ TEST_F(Compare, RefusesToTakeInARunOfTheSameNameAndAnotherCase) {
   EXPECT_EQ(files_in(out_), before);
 }
 
-/// Killed when a part of the runs is over, at whatever moment that is.
+/// Killed at any moment when a part of the runs is complete.
 TEST_F(Compare, GoesOnWhereItWasKilled) {
   const Words words{"--schemes", "gimp,linear,cpdi",          "--vary",    "nonlocal.length=0,6e-3",
                     "--set",     "loading.final_strain=0.02", "--threads", "2"};

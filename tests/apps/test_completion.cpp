@@ -1,4 +1,4 @@
-/// The completions, in the shells that they are for.
+/// The completions, in their shells.
 #include "apps/commands.hpp"
 #include "apps/completion.hpp"
 #include "apps/program.hpp"
@@ -28,7 +28,7 @@ protected:
     folder_.file("law.so", "");
     std::filesystem::create_directory(folder_ / "results");
   }
-  /// What the last word can become; the words stand behind `riedel`.
+  /// Completions of the last word; the words follow `riedel`.
   [[nodiscard]] Words completed(const Words& words) const {
     std::string line;
     for (const std::string& word : words) line += " '" + word + "'";
@@ -48,7 +48,7 @@ private:
     return "source ./script\nCOMP_WORDS=(riedel" + line + ")\nCOMP_CWORD=" + std::to_string(count) +
            "\n_riedel\n[ ${#COMPREPLY[@]} -eq 0 ] || printf '%s\\n' \"${COMPREPLY[@]}\"\n";
   }
-  /// Stands in for what zsh has while it completes, and prints what matches.
+  /// Replaces zsh's own functions for completion, and prints what matches.
   static std::string zsh(const std::string& line, std::size_t count) {
     return "compdef() { : }\ncompset() { : }\nsource ./script\n"
            "compadd() { while [[ $1 != -- ]]; do shift; done; shift\n"

@@ -1,5 +1,5 @@
-/// Every command line of the README and of the pages in docs: those of shell blocks run, with settings that make them
-/// quick, and those in the text are at least understood.
+/// Every command line of the README and of the pages in docs: those in shell blocks are run, with settings that make
+/// them quick, and those in the text are at least parsed.
 #include "apps/command_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/program.hpp"
@@ -58,7 +58,7 @@ std::vector<std::string> code_in(const std::string& text, const std::string& beg
   return found;
 }
 
-/// As a shell takes them apart, but for variables and patterns; without a comment and what is sent elsewhere.
+/// The words as a shell splits them, except for variables and patterns; without comments and redirections.
 Words words_of(const std::string& line) {
   Words words;
   bool inside = false;
@@ -91,13 +91,13 @@ void expect_understood(Words words, const std::string& line) {
         std::ranges::find_if(command.options, [&](const Option& option) { return "--" + option.name == words.back(); });
     if (mentioned != command.options.end() && !mentioned->value.empty()) words.pop_back();
     const Arguments arguments = parse(command, {words.begin() + 2, words.end()});
-    if (line.find("plugin") != std::string::npos || line.find("softened") != std::string::npos) return; // of one's own
+    if (line.find("plugin") != std::string::npos || line.find("softened") != std::string::npos) return; // user-defined
     for (const Option& option : command.options)
       if (!option.choices.empty() && arguments.has(option.name)) (void)arguments.names(option.name, {}, option.choices);
   } catch (const InputError& error) { ADD_FAILURE() << line << "\n" << error.what(); }
 }
 
-/// What makes a command quick, behind what the page says. Empty: it is not run here, because it takes minutes
+/// What makes a command quick, appended to that of the page. Empty: it is not run here, because it takes minutes
 /// (reproduce, verify, bench) or needs what another test makes (a campaign, a plug-in, a UMAT, files of another
 /// program).
 std::string quick(const std::string& line) {
@@ -123,7 +123,7 @@ protected:
     fs::create_directories(folder_ / "docs");
     folder_.file("case.toml", run(folder_, {"check"}).out);
   }
-  /// A case of the reader's own, of the kind that the command takes.
+  /// A case of the user, of the kind that the command takes.
   void put_case(const std::string& line) const {
     const bool path = line.starts_with("riedel element path");
     folder_.file("mine.toml", path

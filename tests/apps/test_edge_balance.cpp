@@ -1,5 +1,5 @@
-/// Which schemes balance a pressure that points at the sides carry. Tractions are spread by integrated hats, so that
-/// those schemes do whose points sum up the slopes of hats exactly.
+/// Which schemes balance a pressure that points at the sides carry. Tractions are distributed by integrated hats, so
+/// that those schemes do whose points sum the gradients of hats exactly.
 #include "apps/biaxial/edge_balance.hpp"
 #include "support/schemes.hpp"
 #include "verification/biaxial.hpp"
@@ -16,7 +16,7 @@ double imbalance(const std::string& scheme_name, int per_cell) {
   return imbalance_at_start(values, catalogue());
 }
 
-/// Hats do, however they are averaged.
+/// Hats do, however they are averaged over a domain.
 TEST(ImbalanceAtStart, VanishesUnderTheSchemesThatSaySoAndNoOthers) {
   for (const std::string& name : scheme_names()) {
     double maximum = 0.0;
@@ -29,8 +29,8 @@ TEST(ImbalanceAtStart, VanishesUnderTheSchemesThatSaySoAndNoOthers) {
   }
 }
 
-/// At a cell's centre a quadratic spline slopes as a hat does. Half the force at an edge that cubic ones see from there
-/// goes to other nodes: 1/8, 3/4, 1/8 in place of 0, 1, 0; a little more in the rows next to a wall.
+/// At a cell's centre a quadratic spline has the gradient of a hat. With cubic ones, half the force at an edge goes to
+/// other nodes: 1/8, 3/4, 1/8 in place of 0, 1, 0; a little more in the rows next to a wall.
 TEST(ImbalanceAtStart, VanishesUnderSplinesForSinglePointsUnderQuadraticOnesAlone) {
   EXPECT_LT(imbalance("bspline2", 1), 1e-12);
   EXPECT_GT(imbalance("bspline2", 2), 0.24);

@@ -1,4 +1,4 @@
-/// Keys of element tests, and the paths that they become.
+/// Keys of element tests, and the resulting paths.
 #include "apps/element/keys.hpp"
 #include "apps/element/path.hpp"
 #include "core/base/error.hpp"
@@ -32,7 +32,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-/// "eps_1=0.1" or "sigma_2" where it is held.
+/// "eps_1=0.1", or "sigma_2" if it is kept constant.
 std::vector<std::string> words(const PathLeg& leg) {
   std::vector<std::string> all;
   for (const Prescription& each : leg.prescriptions)
@@ -167,7 +167,7 @@ TEST_F(ElementPaths, SinesAndDeformationGradientsAreCheckedToo) {
   EXPECT_THAT(errors(given + "[1, 0, 0, 0, 1, 0, 0, 0, 1]\ngamma = 0.1\n"), HasSubstr("asks for gamma as well"));
 }
 
-/// What would take hours, or all of the memory, is told before it begins.
+/// What would take hours, or all of the memory, is refused before it begins.
 TEST_F(ElementPaths, RefusesPathsOfMoreRowsThanCanBeKept) {
   const std::string strains = "test = 'path'\n[[stage]]\neps_2 = 'hold'\neps_3 = 'hold'\n";
   const std::string cycles = "[[stage.leg]]\neps_1 = 0.1\n[[stage.leg]]\neps_1 = 0.0\n";

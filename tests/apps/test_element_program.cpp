@@ -1,4 +1,4 @@
-/// `riedel element` as a user meets it.
+/// `riedel element` as a user runs it.
 #include "apps/program.hpp"
 #include "core/io/table.hpp"
 #include "core/png_pixels.hpp"
@@ -36,7 +36,8 @@ protected:
   TemporaryFolder folder_;
 };
 
-/// A reference curve read off ours by straight lines between rows, at every strain of the reference but the first.
+/// Compares a reference curve with the computed one, interpolated linearly between rows at every strain of the
+/// reference but the first.
 void expect_on(const riedel::Table& ours, const std::string& strain, const Table& wanted,
                const std::string& wanted_strain, const std::string& wanted_angle) {
   const auto& x = wanted.at(wanted_strain);
@@ -202,7 +203,7 @@ TEST_F(ElementProgram, RefusesASpecimenThatATestCannotHave) {
     return outcome.err;
   };
   const std::string path = folder_.file("path.toml", "[[stage]]\neps_1 = 0.01\neps_2 = 'hold'\neps_3 = 'hold'\n");
-  EXPECT_THAT(says({"path", path, "--driver", "mpm"}), HasSubstr("carries out no path"));
+  EXPECT_THAT(says({"path", path, "--driver", "mpm"}), HasSubstr("cannot run a path"));
   EXPECT_THAT(says({"triaxial", "--driver", "mpm", "--set", "grid.dimensions=2"}), HasSubstr("allowed: 3"));
   EXPECT_THAT(says({"biaxial", "--driver", "mpm", "--set", "grid.dimensions=2.5"}), HasSubstr("allowed: 2, 3"));
   EXPECT_THAT(says({"biaxial", "--driver", "mpm", "--set", "scheme=sinc"}), HasSubstr("cpdi"));
@@ -218,7 +219,7 @@ TEST_F(ElementProgram, RefusesAnIntergranularStrainThatTheLawCannotHave) {
                                                      "eps_1 = 0.01\neps_2 = 'hold'\neps_3 = 'hold'\n");
   const Outcome without = element("none", {"path", path});
   EXPECT_EQ(without.code, 2);
-  EXPECT_THAT(without.err, AllOf(HasSubstr("path.toml:2"), HasSubstr("carries no intergranular strain")));
+  EXPECT_THAT(without.err, AllOf(HasSubstr("path.toml:2"), HasSubstr("has no intergranular strain")));
   const Outcome beyond = element("none", {"path", path, "--set", "material.intergranular_strain=true"});
   EXPECT_EQ(beyond.code, 2);
   EXPECT_THAT(beyond.err, HasSubstr("allowed: at most R = 0.0001"));

@@ -1,4 +1,4 @@
-/// What `riedel element` leaves, says of how it ended, and where.
+/// The results of `riedel element`, the report of how it ended, and their folders.
 #include "apps/program.hpp"
 #include "core/io/table.hpp"
 #include "support/patterns.hpp"
@@ -82,7 +82,7 @@ TEST_F(ElementResults, TheReasonTellsWhichLimitEndedWhichStage) {
   EXPECT_EQ(summary("oedometer")["reason"], "stage 1 (oedometer): ended by sigma_1 > 100000.0 Pa");
 }
 
-/// A signal leaves rows and a summary of what was reached; the last line tells how far that is.
+/// After a signal there are rows and a summary of what was reached; the last line says how far that is.
 TEST_F(ElementResults, AnInterruptedPathSaysHowFarItCame) {
   Process process(folder_, {"element", "path", cycles(400000, ""), "--set", "output.plots=false", "--out",
                             (folder_ / "out").string()});
@@ -112,7 +112,7 @@ TEST_F(ElementResults, AnInterruptedFamilySaysHowManyAreComplete) {
   EXPECT_EQ(summary("out/repeat=400000")["status"], "interrupted");
 }
 
-/// The default folder is that of the case file's name, so that two cases do not meet.
+/// The default folder has the case file's name, so that two cases do not share one.
 TEST_F(ElementResults, StandUnderTheNameOfTheCaseFile) {
   const std::string file = cycles(1, "");
   const fs::path before = fs::current_path();
@@ -126,7 +126,7 @@ TEST_F(ElementResults, StandUnderTheNameOfTheCaseFile) {
   EXPECT_TRUE(fs::exists(folder_ / "results" / "element" / "oedometer" / "element.csv"));
 }
 
-/// With --force a folder holds what this command has made, and nothing of the command before.
+/// With --force a folder holds the results of this command, and nothing of the one before.
 TEST_F(ElementResults, ForcedFamiliesAndSinglesDoNotMix) {
   const Words single{"oedometer", "--set", "output.plots=false", "--force"};
   const auto family = [&](const std::string& values) {

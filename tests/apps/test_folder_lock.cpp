@@ -77,7 +77,7 @@ protected:
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return first;
   }
-  /// In a folder of its own, since what a program prints goes to files.
+  /// In a separate folder, since the output of a program goes to files.
   [[nodiscard]] Outcome run_beside(Words words) const {
     const auto place = std::ranges::find(words, "OUT");
     if (place != words.end()) *place = out_.string();

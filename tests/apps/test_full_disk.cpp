@@ -15,7 +15,7 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// The program with a write(2) of its own, from a library that is loaded before all others.
+/// The program with a replaced write(2), from a library that is loaded before all others.
 class FullDisk : public testing::Test {
 protected:
   void SetUp() override {

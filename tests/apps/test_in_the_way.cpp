@@ -1,4 +1,4 @@
-/// Folders that stand where a picture, a report or a file of numbers is to be.
+/// Folders in place of a picture, a report or a file of numbers.
 #include "apps/campaign.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 class InTheWay : public CampaignTest {
 protected:
   void put(const std::string& name) const { fs::create_directories(out_ / name / "x"); }
-  /// The command comes to a good end, and names what it could not write.
+  /// The command succeeds, and names what it could not write.
   [[nodiscard]] std::string done_without(const std::string& name, const Words& words) const {
     const Outcome outcome = run(folder_, words);
     EXPECT_EQ(outcome.code, 0) << outcome.err;

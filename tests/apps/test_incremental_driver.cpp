@@ -100,7 +100,7 @@ TEST_F(IncrementalDriver, TellsFileAndLineOfWhatIsNotSupported) {
   EXPECT_THAT(error("*DeformationGradient\n"), HasSubstr(at + "2: the file ends where increments, iterations and a"));
   EXPECT_THAT(error("*TriaxialE1\n1 1 1\nmuch\n"), HasSubstr(at + "4: 'much' is no number"));
   EXPECT_THAT(error("*TriaxialE1\n1 1\n"), HasSubstr(at + "3: needs increments, iterations and a time"));
-  EXPECT_THAT(error("*TriaxialE1\n1 1 1\n"), HasSubstr(at + "3: the file ends where a change should stand"));
+  EXPECT_THAT(error("*TriaxialE1\n1 1 1\n"), HasSubstr(at + "3: the file ends where a change is expected"));
   EXPECT_THAT(error("*LinearLoad\n1 1 1\n*Lode\n"), HasSubstr(at + "4: the variables '*Lode'"));
   EXPECT_THAT(error("*LinearLoad\n1 1 1\n*Cartesian\n2 1\n"), HasSubstr(at + "5: a condition begins with 0"));
 }
@@ -121,7 +121,7 @@ TEST_F(IncrementalDriver, TellsOfParametersAndStartsThatAreNotSupported) {
   EXPECT_THAT(with("parameters.inp", "gudehus_bauer\n8\n"), HasSubstr("parameters.inp:2: 8 parameters are too few"));
   std::string more = parameters_ + "5.0 m_R\n";
   more.replace(more.find("\n9\n"), 3, "\n14\n");
-  EXPECT_THAT(with("parameters.inp", more), HasSubstr("parameters.inp:12: the file ends where m_T should stand"));
+  EXPECT_THAT(with("parameters.inp", more), HasSubstr("parameters.inp:12: the file ends where m_T is expected"));
   more.replace(more.find("\n14\n"), 4, "\n12\n");
   EXPECT_THAT(with("parameters.inp", more), HasSubstr("parameters.inp:12: m_R = 5.0 asks for intergranular strain"));
   EXPECT_THAT(with("initialconditions.inp", "6\n-1\n-1\n-1\n0\n0\n0\n1\n0.6\n"),

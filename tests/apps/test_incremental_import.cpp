@@ -1,4 +1,4 @@
-/// What IncrementalDriver's files say beside plain steps: water, sines, deformation gradients, limits, UMATs.
+/// IncrementalDriver's files beyond plain steps: water, sines, deformation gradients, limits, UMATs.
 #include "apps/incremental_folder.hpp"
 #include "apps/program.hpp"
 
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 class IncrementalImport : public IncrementalFolder {
 protected:
-  /// Parameters with those of intergranular strain, switched off, and more behind them.
+  /// Parameters with those of intergranular strain, switched off, and further ones.
   void add_parameters(const std::string& more, int count) const {
     std::string text = parameters_ + "0.1 m_R\n2.0\n1e-4\n0.5\n6.0\n" + more;
     text.replace(text.find("\n9\n"), 3, "\n" + std::to_string(count) + "\n");
@@ -83,7 +83,7 @@ TEST_F(IncrementalImport, ConditionsBecomeLimitsInOurSigns) {
     EXPECT_EQ(path(std::string("*OedometricE1 ? ") + condition + "\n1 1 1\n-0.1\n").stages[0].until->text(), limit);
 }
 
-/// A sin(2 pi t / T + phase) beside the straight line; t counts from the start of the file.
+/// A sin(2 pi t / T + phase) added to the straight line; t counts from the start of the file.
 TEST_F(IncrementalImport, CirculatingLoadsBecomeSines) {
   const std::string load = "*CirculatingLoad\n100 10 2.0\n*Cartesian\n1 -50 0.5 -10\n0 0 0 0\n0 0 0 0\n0 0.001 0 0\n"
                            "0 0 0 0\n0 0 0 0\n";
@@ -113,7 +113,7 @@ TEST_F(IncrementalImport, ACirculatingLoadSwingsAsTheFormulaSays) {
   EXPECT_GT(rows, 20);
 }
 
-/// The order of the components, and what the program makes of a second such step: it counts from time 0.
+/// The order of the components, and a second such step: its time counts from 0.
 TEST_F(IncrementalImport, DeformationGradientsAreGivenWhole) {
   const std::string load = "*DeformationGradient\n100 10 1.0\n0.9\n1.1\n1.0\n0.12\n0.21\n0.13\n0.31\n0.23\n0.32\n";
   const ElementPath given = path(load + load);
@@ -172,7 +172,7 @@ TEST_F(IncrementalImport, FilesMayHaveOtherNames) {
               testing::ThrowsMessage<InputError>(HasSubstr("--import " + folder + "/none: there is no such folder")));
 }
 
-/// Nothing is left out without a word.
+/// Nothing is ignored without an error.
 TEST_F(IncrementalImport, RefusesByFileAndLineWhatItDoesNotCarry) {
   const std::string at = folder_.path().string() + "/test.inp:";
   for (const char* keyword :

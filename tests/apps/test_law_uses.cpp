@@ -1,5 +1,5 @@
-/// A case says what its law makes of it: no length that nothing averages, no patch of void ratios that nothing knows,
-/// and no key that nothing looks at.
+/// A case reports what its law can use: no length without an average, no patch of void ratios for a law without one,
+/// and no key without effect.
 #include "apps/biaxial/law_uses.hpp"
 #include "apps/program.hpp"
 #include "core/case/case_text.hpp"
@@ -51,11 +51,10 @@ TEST(LawUses, ALawThatTakesNothingAveragedRunsLocallyAndTheCaseSaysSo) {
     EXPECT_THAT(c.notes,
                 Contains(AllOf(StartsWith("nonlocal.length = 0: "), HasSubstr(law), HasSubstr("run is local"))));
     EXPECT_THAT(case_text(c.keys, c.values),
-                testing::ContainsRegex("\nlength = 0[.]0 .*here 0, since \"" + law + "\" takes nothing averaged"));
-    EXPECT_THAT(
-        refusal({"material.model=" + law, "nonlocal.length=1.5e-3"}),
-        AllOf(StartsWith("--set nonlocal.length: 0.0015 is out of range: \"" + law + "\" takes nothing averaged"),
-              HasSubstr("allowed: 0")));
+                testing::ContainsRegex("\nlength = 0[.]0 .*here 0, since \"" + law + "\" uses no average"));
+    EXPECT_THAT(refusal({"material.model=" + law, "nonlocal.length=1.5e-3"}),
+                AllOf(StartsWith("--set nonlocal.length: 0.0015 is out of range: \"" + law + "\" uses no average"),
+                      HasSubstr("allowed: 0")));
     EXPECT_EQ(refusal({"material.model=" + law, "nonlocal.length=0"}), "no error");
   }
 }
@@ -95,8 +94,8 @@ TEST(LawUses, KeysOfVoidRatiosMeanNothingToALawWithoutOne) {
           "imperfection.correlation_length=2e-3", "imperfection.seed=2", "output.band_void_ratio=0.8"}) {
       const std::string key = setting.substr(0, setting.find('='));
       EXPECT_THAT(refusal({"material.model=" + law, setting}),
-                  AllOf(StartsWith("--set " + key + ": "), HasSubstr("\"" + law + "\" knows no void ratio"),
-                        HasSubstr("take one of the laws that do: " + others)));
+                  AllOf(StartsWith("--set " + key + ": "), HasSubstr("\"" + law + "\" has no void ratio"),
+                        HasSubstr("take one of the laws that have it: " + others)));
       EXPECT_THAT(case_text(checked({"material.model=" + law}).keys, checked({"material.model=" + law}).values),
                   Not(HasSubstr("void_ratio =")));
     }
@@ -107,7 +106,7 @@ TEST(LawUses, KeysOfVoidRatiosMeanNothingToALawWithoutOne) {
   }
 }
 
-/// A UMAT says itself what it takes.
+/// For a UMAT its keys state what it uses.
 TEST(LawUses, OfAUmatAreWhatItsKeysSay) {
   const auto uses = [](std::initializer_list<std::pair<const char*, Value>> settings) {
     Values values(biaxial_keys(catalogue(), "umat"));
@@ -165,7 +164,7 @@ TEST(LawUses, ThePicturesTitleAndTheChecksAnswerAreLocalToo) {
   const TemporaryFolder folder;
   const Outcome check = run(folder, {"check", "--set", "material.model=linear_elastic"});
   EXPECT_EQ(check.code, 0);
-  EXPECT_THAT(check.err, HasSubstr("riedel: note: nonlocal.length = 0: \"linear_elastic\" takes nothing averaged"));
+  EXPECT_THAT(check.err, HasSubstr("riedel: note: nonlocal.length = 0: \"linear_elastic\" uses no average"));
   EXPECT_THAT(check.out, HasSubstr("\nlength = 0.0 "));
   const Outcome outcome =
       run(folder, {"biaxial", "--set", "material.model=linear_elastic", "--set", "grid.cells=[4,8]", "--set",
@@ -175,7 +174,7 @@ TEST(LawUses, ThePicturesTitleAndTheChecksAnswerAreLocalToo) {
   EXPECT_THAT(file_content(folder / "out" / "history.svg"), Not(HasSubstr("l_c")));
 }
 
-/// A Mohr-Coulomb specimen with a weak patch yields there first, and is told by one body with all its points.
+/// A Mohr-Coulomb specimen with a weak patch yields there first, and is a single body with all its points.
 TEST(WeakZone, LowersTheStrengthInThePatchAlone) {
   const auto plastic_strain = [](const std::string& factor) {
     const BiaxialCase v = biaxial_values({"material.model=mohr_coulomb", "grid.cells=[8,28]", "loading.speed=0.5",
@@ -199,7 +198,7 @@ TEST(WeakZone, LowersTheStrengthInThePatchAlone) {
   EXPECT_EQ(sound, 0.0);
 }
 
-/// Points of both kinds, mixed: each does what its own law does alone, to the bit.
+/// Points of both kinds, mixed: each behaves exactly as under its own law alone.
 TEST(WeakZone, GivesEveryPointItsOwnLaw) {
   const Keys keys = catalogue().materials.find("mohr_coulomb").description.parameters;
   const Values sound(keys), weak = weakened(sound, 0.5);

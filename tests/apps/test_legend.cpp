@@ -1,4 +1,4 @@
-/// How runs are called and drawn in a legend.
+/// Names and styles of runs in a legend.
 #include "core/campaign/legend.hpp"
 
 #include "apps/biaxial/keys.hpp"

@@ -1,4 +1,4 @@
-/// The manual page: nothing of the tables is missing, and formatters take it without a word.
+/// The manual page: nothing of the tables is missing, and formatters accept it without warnings.
 #include "apps/biaxial/keys.hpp"
 #include "apps/built_in.hpp"
 #include "apps/command_help.hpp"

@@ -1,5 +1,5 @@
-/// The manufactured solutions of `riedel verify` against difference quotients: velocities, body forces, faces, and
-/// what a motion starts from.
+/// The manufactured solutions of `riedel verify` against difference quotients: velocities, body forces, faces, and the
+/// initial states.
 #include "apps/verify/axis_aligned.hpp"
 #include "apps/verify/ring.hpp"
 #include "apps/verify/vortex.hpp"
@@ -49,7 +49,7 @@ Vec<Dim> body_force_by_differences(const Manufactured<Dim>& solution, const Vec<
   return b;
 }
 
-/// Places in the material and times, by chance.
+/// Random positions in the material and times.
 template <int Dim>
 std::vector<std::pair<Vec<Dim>, double>> somewhere(const Manufactured<Dim>& solution) {
   std::mt19937 random(5);

@@ -1,4 +1,4 @@
-/// The memory that a run needs and that there is: estimated, measured, and refused when it does not suffice.
+/// The memory of a run: estimated, measured, and a run refused when too little is available.
 #include "apps/biaxial/keys.hpp"
 #include "apps/biaxial/memory_needed.hpp"
 #include "apps/fake_catalogue.hpp"
@@ -40,7 +40,7 @@ protected:
     GTEST_SKIP() << "a sanitizer has memory of its own";
 #endif
   }
-  /// A case that ends at once. @return settings that are to follow the command
+  /// A case that ends at once. @return settings that follow the command
   static Words brief(const Words& settings) {
     Words words;
     for (const char* setting :
@@ -57,7 +57,7 @@ protected:
     return WEXITSTATUS(std::system(
         ("bash " + script + " >" + (folder_ / "out").string() + " 2>" + (folder_ / "err").string()).c_str()));
   }
-  /// Most memory in use at any time [bytes].
+  /// Maximum memory in use at any time [bytes].
   static double measured(const Words& words) {
     std::vector<char*> argv{const_cast<char*>(RIEDEL_PROGRAM)};
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
@@ -108,7 +108,7 @@ TEST_F(Memory, ThatACaseLacksIsToldBeforeTheRunWithItsKeys) {
   EXPECT_FALSE(fs::exists(folder_ / "run"));
 }
 
-/// From where the program cannot even be loaded to where it has enough.
+/// From a limit at which the program cannot even be loaded to one at which it has enough.
 TEST_F(Memory, OfWhateverAmountEndsWithAMessageAndNoCrash) {
   Words words = brief({"grid.cells=[40,140]", "nonlocal.length=2e-3", "output.plots=false"});
   words.insert(words.begin(), {"biaxial", "--threads", "2", "--force", "--out", (folder_ / "run").string()});

@@ -1,4 +1,4 @@
-/// Input that is wrong in ways that nobody means: told, with exit code 2, and never a crash.
+/// Input that is wrong in unusual ways: reported with exit code 2, and never a crash.
 #include "apps/program.hpp"
 
 #include <gmock/gmock.h>

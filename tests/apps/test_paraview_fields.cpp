@@ -1,4 +1,4 @@
-/// docs/paraview.md names every array that a run writes for ParaView, and no other; other programs read the files.
+/// docs/paraview.md lists exactly the arrays that a run writes for ParaView; other programs read the files.
 #include "apps/program.hpp"
 #include "apps/series.hpp"
 #include "core/io/snapshot.hpp"

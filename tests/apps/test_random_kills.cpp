@@ -1,4 +1,4 @@
-/// Programs that are killed at instants that nobody has chosen. RIEDEL_KILLS says how many (tests/random_kills).
+/// Programs that are killed at random instants. RIEDEL_KILLS is their number (tests/random_kills).
 #include "apps/campaign.hpp"
 #include "apps/series.hpp"
 #include "support/patterns.hpp"
@@ -23,7 +23,8 @@ int kills() {
 
 class RandomKills : public CampaignTest {
 protected:
-  /// Starts the program and ends it at some instant up to a little beyond its end. @return the exit code; −1: killed
+  /// Starts the program and kills it at some instant before, or little after, its end. @return the exit code; −1:
+  /// killed
   int run_and_kill(const Words& words, std::chrono::duration<double> whole) {
     Process process(folder_, words);
     const auto instant = std::uniform_real_distribution<>(0.0, 1.2)(chance_) * whole;
@@ -48,7 +49,7 @@ protected:
         EXPECT_EQ(frame->data()->GetNumberOfPoints() % (8 * 28), 0) << name;
     }
   }
-  /// What makes a run's result, without the time that it took.
+  /// The results of a run, without the time that it took.
   static std::string result_in(const fs::path& run) {
     json summary = json_of(run / "summary.json");
     for (const char* time : {"wall_s", "ns_per_point_step", "threads"}) summary.erase(time);
@@ -59,7 +60,7 @@ protected:
     return json_of(run / "summary.json")["status"].get<std::string>();
   }
   static bool is_done(const fs::path& run) { return status_of(run) == "done"; }
-  /// Rows that come when they are due: a run that is told to stop adds the moment of that.
+  /// The regular rows: a run that is asked to stop adds one for that moment.
   static std::string due_rows(const fs::path& run) {
     if (!fs::exists(run / "history.csv")) return "";
     const std::string rows = file_content(run / "history.csv");

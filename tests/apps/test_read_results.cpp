@@ -1,5 +1,4 @@
-/// docs/howto/read_results.md: every column and key that a run writes is in its tables, and the other way round; the
-/// snippets run.
+/// docs/howto/read_results.md: its tables list exactly the columns and keys that a run writes; the snippets run.
 #include "apps/program.hpp"
 #include "support/patterns.hpp"
 
@@ -86,7 +85,7 @@ protected:
 
 bool works(const std::string& command) { return std::system(("(" + command + ") >/dev/null 2>&1").c_str()) == 0; }
 
-/// A Python that has a module; empty: there is none.
+/// A Python that has a module; empty: none.
 std::string python_with(const std::string& modules) {
   for (const char* python : {"python3", "/usr/bin/python3"})
     if (works(std::string(python) + " -c 'import " + modules + "'")) return python;

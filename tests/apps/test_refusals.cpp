@@ -1,5 +1,5 @@
-/// What cannot be run is refused before the run, through the real program: with the key, the reason and what to take
-/// instead, and without a trace in the output folder.
+/// What cannot be run is refused before the run, through the real program: with the key, the reason and alternatives,
+/// and without writing to the output folder.
 #include "apps/program.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using testing::StartsWith;
 
 class Refusal : public testing::Test {
 protected:
-  /// Of `command` with settings; must end with 2, and leave nothing. @return what it says
+  /// The message of `command` with settings, which must end with 2 and write nothing.
   std::string refusal(Words words, const Words& settings) const {
     const std::filesystem::path out = folder_ / "out";
     words.insert(words.end(), {"--out", out.string()});
@@ -35,7 +35,7 @@ TEST_F(Refusal, OfPressureOnPointsUnderCubicSplinesTellsWhatIsLeftAndWhatToTake)
   EXPECT_THAT(
       refusal({"biaxial"}, {"scheme=bspline3", "loading.lateral=points"}),
       AllOf(StartsWith("riedel: error: --set loading.lateral: \"points\" starts out of balance under the scheme "
-                       "\"bspline3\" with 1 per cell and direction: at the sides nodes keep 28.1"),
+                       "\"bspline3\" with 1 per cell and direction: nodes at the sides retain 28.1"),
             HasSubstr("take \"virtual_stress\", exact for every scheme, or one of the schemes linear, gimp, "
                       "cpgimp, cpdi, cpdi2, ddmp"),
             HasSubstr("bspline2\n")));

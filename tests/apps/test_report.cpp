@@ -1,4 +1,4 @@
-/// The page of a campaign: its parts, and what a browser makes of it.
+/// The page of a campaign: its parts, and how a browser shows it.
 #include "apps/campaign.hpp"
 #include "core/campaign/report.hpp"
 #include "support/patterns.hpp"

@@ -1,4 +1,4 @@
-/// `riedel reproduce`, and the theory that it sets beside the runs.
+/// `riedel reproduce`, and the theory that it compares with the runs.
 #include "apps/program.hpp"
 #include "apps/reproduce/band_theory.hpp"
 #include "apps/reproduce/statement_text.hpp"
@@ -105,7 +105,7 @@ TEST(BandTheory, HasTheInclinationsThatTestsAreComparedWith) {
   EXPECT_DOUBLE_EQ(angles.coulomb, 72.5);
 }
 
-/// Sand unloads steeply: from the peak most of the strain stays.
+/// Sand unloads stiffly: after unloading from the peak most of the strain remains.
 TEST(HomogeneousTest, UnloadsFromWhereTheBandTakesOver) {
   const Unloading path = unloading_after(Values(GudehusBauer::parameters()), 0.55, 50e3, 0.0139);
   EXPECT_NEAR(path.u_over_h.front(), 0.0139, 2e-5);

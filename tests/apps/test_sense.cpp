@@ -1,4 +1,4 @@
-/// Numbers that are allowed and make no sense: a forgotten unit is told before a run is wasted on it.
+/// Numbers that are allowed but make no sense: a forgotten unit is reported before a run is wasted on it.
 #include "apps/biaxial/patch.hpp"
 #include "apps/biaxial/random_field_check.hpp"
 #include "apps/biaxial/sense.hpp"
@@ -39,7 +39,7 @@ TEST(Sense, RefusesALengthBeyondTheSpecimenAndTellsByHowMuch) {
                     HasSubstr("\"1.5 mm\"")));
   EXPECT_THAT(
       warnings({"nonlocal.length=15 mm"}),
-      ElementsAre(AllOf(StartsWith("--set nonlocal.length: 0.015 m: the average reaches"), HasSubstr("45 mm"))));
+      ElementsAre(AllOf(StartsWith("--set nonlocal.length: 0.015 m: the average extends"), HasSubstr("45 mm"))));
   EXPECT_THAT(warnings({"nonlocal.length=4 mm"}), IsEmpty());
 }
 
@@ -54,14 +54,14 @@ TEST(Sense, WarnsOfLengthsPressuresSpeedsAndTimesInAnotherUnit) {
                     HasSubstr("\"50 kPa\"")));
   EXPECT_THAT(warning("loading.speed=10"),
               AllOf(StartsWith("--set loading.speed: 10.0 m/s is "), HasSubstr(" % of the speed of waves")));
-  EXPECT_THAT(refusal({"loading.speed=2000"}), HasSubstr("--set loading.speed: 2000.0 m/s outruns the waves"));
+  EXPECT_THAT(refusal({"loading.speed=2000"}), HasSubstr("--set loading.speed: 2000.0 m/s is faster than the waves"));
   EXPECT_THAT(warning("loading.ramp_time=5"),
               AllOf(StartsWith("--set loading.ramp_time: 5.0 s is 59.52 times"), HasSubstr("0.084 s")));
   EXPECT_THAT(warning("imperfection.correlation_length=5", "imperfection.deviation=0.001"),
               StartsWith("--set imperfection.correlation_length: 5.0 m is longer than the specimen, 140 mm"));
   EXPECT_THAT(warning("specimen.width=40"), StartsWith("--set specimen.width: a specimen of 40 m"));
   EXPECT_THAT(warning("imperfection.size=[1e-3,1e-3]", "imperfection.centre=[0.5,0.5]"),
-              StartsWith("--set imperfection.size: the patch of 1 mm by 1 mm holds the middle of no point"));
+              StartsWith("--set imperfection.size: the patch of 1 mm by 1 mm contains the centre of no point"));
   EXPECT_THAT(warning("grid.cells=[4,840]"), StartsWith("--set grid.cells: cells of 10 mm by 0.1667 mm are 60 times"));
   EXPECT_THAT(warning("output.every_strain=1e-9", "loading.speed=1e-4"), StartsWith("--set output.every_strain: "));
   EXPECT_THAT(refusal({"time.step=1"}),
@@ -155,7 +155,7 @@ double min_void_ratio(const BiaxialCase& v) {
   return minimum;
 }
 
-/// The deviation at which a point just leaves the limits is the same by looking at every point and by looking at few.
+/// The deviation at which a point just leaves the limits is the same whether all points are checked or few.
 TEST(RandomField, IsRefusedFromTheDeviationOnAtWhichItsFirstPointLeavesTheLimits) {
   for (const std::string length : {"2e-2", "5e-3"}) {
     const std::vector<std::string> with{"grid.cells=[48,168]", "imperfection.size=[0,0]", "nonlocal.length=0",

@@ -58,7 +58,7 @@ TEST(ShearBand, CrossingAnEqualOneIsAnX) {
     const ShearBand band = Specimen(mesh.columns, mesh.rows)
                                .band(56.0, 0.02, 0.07, 0.27, gaussian(7.5e-3))
                                .band(-56.0, 0.02, 0.07, 0.27, gaussian(7.5e-3))
-                               .tilt(0.8) // of the whole specimen: tells nothing
+                               .tilt(0.8) // of the whole specimen: no sign of a band
                                .measure();
     ASSERT_TRUE(band.found);
     EXPECT_EQ(band.kind, BandKind::x);
@@ -97,7 +97,7 @@ TEST(ShearBand, IsMeasuredWhereItIsStraight) {
 }
 
 TEST(ShearBand, IsNotTurnedByWhatDilatesElsewhere) {
-  for (const Mesh mesh : meshes) { // a spot at the left edge that turns the same way
+  for (const Mesh mesh : meshes) { // a spot at the left edge that rotates the same way
     Specimen specimen(mesh.columns, mesh.rows);
     specimen.band(5.0, 0.0, 0.125, 0.25, gaussian(10e-3)).wipe([](double x, double) { return x > 0.010; });
     const ShearBand band = specimen.band(57.0, 0.02, 0.10, 0.27, gaussian(7.5e-3)).measure();

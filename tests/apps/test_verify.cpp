@@ -1,4 +1,4 @@
-/// `riedel verify`: the orders of convergence that each scheme promises.
+/// `riedel verify`: the expected orders of convergence of each scheme.
 #include "apps/verify/study.hpp"
 #include "support/schemes.hpp"
 
@@ -55,7 +55,7 @@ TEST_P(VerifyTest, ConvergesInASquareWhosePointsCrossCellsIfItsAuthorsSaySo) {
   const VerifyStudy square = refined("square_crossing", 32);
   if (promised_.order_across_cells == 0) {
     EXPECT_GT(square.runs.back().error, square.runs.front().error) << "the error of crossing cells";
-  } else { // sums over two points in place of integrals take from a second order
+  } else { // sums over two points in place of integrals reduce a second order
     EXPECT_GT(square.order(), std::min(1.1, square.expected().min_order));
     EXPECT_LT(square.runs.back().error, 0.04);
   }
@@ -98,7 +98,7 @@ TEST_P(VerifyTest, KeepsMomentumAndEnergyOfCollidingDiscs) {
 INSTANTIATE_TEST_SUITE_P(EveryScheme, VerifyTest, testing::ValuesIn(scheme_names()),
                          [](const auto& tested) { return tested.param; });
 
-/// Two points along each axis leave an error of sums over points that falls more slowly, under quadratic splines with
+/// With two points along each axis the error of sums over points decreases more slowly, under quadratic splines with
 /// order 1.3.
 TEST(OrderAcrossCells, IsTheSecondWherePromisedWithFourPointsForACell) {
   omp_set_num_threads(1);
@@ -109,7 +109,7 @@ TEST(OrderAcrossCells, IsTheSecondWherePromisedWithFourPointsForACell) {
   }
 }
 
-/// Shear draws two points for a cell more than a cell apart: hats do not see that they are neighbours any more.
+/// Shear moves two points per cell more than a cell apart: hats do not connect them any more.
 TEST(Gimp, FallsApartInAVortexWithTwoPointsForACell) {
   omp_set_num_threads(1);
   EXPECT_NE(study(problem("vortex"), catalogue(), "gimp", {.max_cells = 8, .points = 2}).failure, "");

@@ -1,4 +1,4 @@
-/// `riedel verify` as a user meets it.
+/// `riedel verify` as a user runs it.
 #include "apps/program.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-/// What the program says of itself: the commit it was built from, in every summary.
+/// The version that the program reports: the commit it was built from, in every summary.
 #include "apps/bench/table.hpp"
 #include "apps/command_line.hpp"
 #include "apps/program.hpp"
@@ -16,7 +16,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-/// A made-up tree, and what core/io/commit.cmake says of it.
+/// An artificial source tree, and what core/io/commit.cmake reports for it.
 class Commit : public testing::Test {
 protected:
   void SetUp() override {

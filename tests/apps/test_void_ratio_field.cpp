@@ -1,4 +1,4 @@
-/// Random void ratios, and a specimen that is turned in its grid: what the case makes of both.
+/// Random void ratios, and a specimen that is rotated in its grid.
 #include "apps/biaxial/band.hpp"
 #include "apps/biaxial/patch.hpp"
 #include "core/io/snapshot.hpp"
@@ -20,7 +20,8 @@ VoidRatioField with_field(int seed) {
   return random_field(values);
 }
 
-/// Over many fields at one place: mean, deviation, and the correlation with a place r away, along x, y or askew.
+/// Over many fields at one place: mean, deviation, and the correlation with a place at a distance r, along x, y or
+/// obliquely.
 TEST(VoidRatioField, HasTheMeanDeviationAndCorrelationOfItsKeys) {
   constexpr int fields = 400;
   const double length = 5e-3;
@@ -76,21 +77,21 @@ TEST(VoidRatioField, IsRefusedWhereALawCouldNotFollow) {
               AllOf(HasSubstr("imperfection.deviation"), HasSubstr("the random field gives the point at ("),
                     HasSubstr("is out of range; the law allows (0.4959, 1.264]")));
   EXPECT_THAT(refusal({"imperfection.deviation=0.01", "material.model=linear_elastic", "nonlocal.length=0"}),
-              HasSubstr("\"linear_elastic\" knows no void ratio"));
+              HasSubstr("\"linear_elastic\" has no void ratio"));
   EXPECT_THAT(refusal({"imperfection.correlation_length=0"}), HasSubstr("imperfection.correlation_length"));
 }
 
 TEST(TurnedSpecimen, IsRefusedWhereTheGridMustStandUpright) {
   EXPECT_THAT(
       refusal({"specimen.rotation=10"}),
-      AllOf(HasSubstr("loading.platen"), HasSubstr("\"moving_grid\" does not go with a specimen turned by 10")));
+      AllOf(HasSubstr("loading.platen"), HasSubstr("\"moving_grid\" does not go with a specimen rotated by 10")));
   EXPECT_THAT(refusal({"specimen.rotation=10", "loading.platen=rigid_points", "loading.lateral=points"}),
               HasSubstr("take \"virtual_stress\""));
   EXPECT_THAT(refusal({"specimen.rotation=10", "loading.platen=rigid_points", "grid.dimensions=3"}),
               HasSubstr("grid.dimensions"));
 }
 
-/// A band at 55° drawn on the points, told in the specimen's own axes.
+/// An artificial band at 55°, reported in the specimen's own axes.
 TEST(TurnedSpecimen, HasItsBandMeasuredInItsOwnAxes) {
   const BiaxialCase values = biaxial_values({"specimen.rotation=22.5", "loading.platen=rigid_points"});
   Frame frame = snapshot(make_biaxial(values, catalogue()));

@@ -42,7 +42,7 @@ void for_each_include(const std::string& text, char opening, const Visit& visit)
   });
 }
 
-/// The floors of core up to one, that one included.
+/// The floors of core up to and including one.
 Names up_to(std::string_view top) {
   Names all;
   for (const char* floor : {"base", "state", "interface", "step", "setup", "io", "draw", "case", "analysis", "run"}) {
@@ -52,8 +52,8 @@ Names up_to(std::string_view top) {
   return all;
 }
 
-/// What each room may see of the others; apps and tests, which see everything, are not listed. A folder that is not
-/// listed belongs to the room above it.
+/// What each room may include of the others; apps and tests, which may include everything, are not listed. A folder
+/// that is not listed belongs to the room above it.
 const std::map<std::string, Names>& rooms_in_sight() {
   static const std::map<std::string, Names> sight = {
       {"core/base", {}},
@@ -151,8 +151,8 @@ Offences circles_of_includes(const std::vector<SourceFile>& files) {
   std::map<std::string, Names> includes;
   for (const SourceFile& file : files)
     for_each_include(file.text, '"', [&](const std::string& name, int) { includes[file.path].insert(name); });
-  // Files that include none of those left, or that none of those left includes, are taken away until nothing changes;
-  // what remains are circles and the ways from one to another.
+  // Files that include none of those left, or that none of those left includes, are removed until nothing changes; what
+  // remains are circles and the paths from one to another.
   const auto includes_nothing = [&](const auto& entry) {
     return std::ranges::none_of(entry.second, [&](const std::string& name) { return includes.contains(name); });
   };

@@ -1,4 +1,4 @@
-/// The rules of the house. Each looks at one file, or at all of them, and returns what offends: empty when all is well.
+/// The architecture rules. Each checks one file, or all of them, and returns the offences: empty if there are none.
 #pragma once
 
 #include "architecture/source_tree.hpp"
@@ -11,7 +11,7 @@ using Offences = std::vector<std::string>;
 /// interface; materials and nonlocal see base and interface; apps and tests see everything.
 Offences includes_that_run_up(const SourceFile& file);
 
-/// Includes from one app's folder of another's.
+/// Includes between the folders of two apps.
 Offences includes_of_other_apps(const SourceFile& file);
 
 /// Files that include each other in a circle.
@@ -20,7 +20,7 @@ Offences circles_of_includes(const std::vector<SourceFile>& files);
 /// A library with heavy or infectious headers is included in the few files named for it, and in tests.
 Offences libraries_out_of_place(const SourceFile& file);
 
-/// What core must not say: the names of schemes, laws and transfers, taken from the files of shapefunctions/,
+/// What core must not name: schemes, laws and transfers, taken from the files of shapefunctions/,
 /// materials/ and transfers/. A name made of everyday words only, such as `linear`, is forbidden as a quoted text.
 std::vector<std::string> names_of_plugged_in(const std::vector<SourceFile>& files);
 Offences names_in_core(const SourceFile& file, const std::vector<std::string>& names);
@@ -34,7 +34,7 @@ Offences files_too_long(const SourceFile& file);
 /// Notes of unfinished work.
 Offences unfinished_work(const SourceFile& file);
 
-/// Paths that exist on somebody's machine only.
+/// Paths that exist only on one machine.
 Offences paths_of_a_machine(const SourceFile& file);
 
 } // namespace riedel::architecture

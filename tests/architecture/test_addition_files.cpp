@@ -1,4 +1,4 @@
-// How many files docs/CONTRIBUTING.md says that a new transfer of velocities and a new element test take.
+// The number of files for a new transfer of velocities and a new element test according to docs/CONTRIBUTING.md.
 #include "architecture/rules.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The rules of the house, held against the house itself.
+// The architecture rules, applied to the project itself.
 #include "architecture/rules.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ const std::vector<SourceFile>& house() {
   return files;
 }
 
-/// What `rule` finds in all files together.
+/// The offences that `rule` finds in all files together.
 template <class Rule>
 Offences offences(const Rule& rule) {
   Offences all;

@@ -1,4 +1,4 @@
-// Every rule finds the offence it is there for, in a file made up for it, and leaves an innocent neighbour alone.
+// Every rule finds its offence in an artificial file, and does not report a correct one.
 #include "architecture/rules.hpp"
 
 #include <gmock/gmock.h>

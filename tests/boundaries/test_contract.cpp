@@ -1,4 +1,4 @@
-/// What every registered boundary condition owes, in two and three dimensions.
+/// What every registered boundary condition must satisfy, in two and three dimensions.
 #include "core/step/boundary.hpp"
 #include "support/problems.hpp"
 
@@ -13,7 +13,7 @@ constexpr double dt = 0.01, tolerance = 1e-11;
 
 std::vector<std::string> boundary_names() { return catalogue().in_2d.boundaries.names(); }
 
-/// Of a condition by name; a key that it does not have is left out.
+/// Values for a condition by name; a key that it does not have is left out.
 template <int Dim>
 Boundary<Dim> boundary(const std::string& kind, const NodeBox<Dim>& place, const std::map<std::string, Value>& with) {
   const auto& entry = catalogue().in<Dim>().boundaries.find(kind);
@@ -30,13 +30,13 @@ const std::vector<std::map<std::string, Value>> uses{
     {{"velocity", std::vector<double>{0.0, 3.0}}, {"times", std::vector<double>{0.0, 1.0}}, {"separates", false}},
     {{"free", true}, {"friction", 5.0}}};
 
-/// Nodes with masses, velocities and accelerations of all kinds, one in seven without any; the condition acts on a box
+/// Nodes with various masses, velocities and accelerations, one in seven without any; the condition acts on a box
 /// inside the grid.
 template <int Dim>
 struct Shaken {
   State<Dim> state;
   Model<Dim> model;
-  AlignedVector<NodeMotion<Dim>> before; ///< in front of the momentum balance
+  AlignedVector<NodeMotion<Dim>> before; ///< before the momentum balance
 
   Shaken(const std::string& kind, const std::map<std::string, Value>& with, bool at_rest = false) {
     Counts<Dim> cells;
@@ -122,7 +122,7 @@ void work_is_accounted_for(const std::string& kind) {
   }
 }
 
-/// Whatever the way from the velocities before to those after, start and end share the work of the force.
+/// However the velocities change from before to after, start and end share the work of the force.
 template <int Dim>
 void power_at_the_start_is_with_the_velocities_before(const std::string& kind) {
   Shaken<Dim> nodes(kind, {}, true);

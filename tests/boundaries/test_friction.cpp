@@ -100,7 +100,7 @@ TEST_P(Slope, LetsABlockSlideAsTheClosedFormHasIt) {
   EXPECT_LT(std::abs(found.energies.unaccounted), tolerance * found.energies.external);
 }
 
-/// The slope is tilted slowly: a block that was set in motion would go on for ever where the friction is just enough.
+/// The slope is tilted slowly: a block once set in motion would move for ever where the friction is just enough.
 TEST_P(Slope, HoldsABlockWhoseFrictionIsEnough) {
   const double weight = 8.0 * square(h) * 1000.0 * g;
   for (const double share : {1.0, 1.05, 2.0}) {

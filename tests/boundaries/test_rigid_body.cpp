@@ -1,4 +1,4 @@
-/// Rigid points: which nodes they hold, and where they go.
+/// Rigid points: which nodes they constrain, and their motion.
 #include "core/step/boundaries/rigid_body.hpp"
 
 #include "core/step/boundary.hpp"

@@ -1,4 +1,4 @@
-/// Prescribed velocities: which nodes they hold, what they set, and the force that it takes.
+/// Prescribed velocities: which nodes they constrain, the values, and the reaction force.
 #include "core/step/boundary.hpp"
 #include "support/problems.hpp"
 
@@ -38,7 +38,7 @@ struct HeldGrid {
   [[nodiscard]] const BoundaryReport<2>& report(std::size_t c = 0) const { return model.conditions[c]->report(); }
 };
 
-/// Of a condition on this grid.
+/// For a condition on this grid.
 std::vector<Index> nodes_of(const Grid<2>& grid, const VelocityOnNodes<2>& given) {
   const Boundary<2> condition = prescribe(given);
   condition->bind(grid, *scheme<2>("linear"));

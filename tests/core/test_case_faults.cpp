@@ -1,4 +1,4 @@
-/// Case files that are wrong in ways that nobody means, and in some that many do.
+/// Case files with unusual errors, and some with common ones.
 #include "core/case_files.hpp"
 
 namespace riedel::test {

@@ -28,7 +28,7 @@ std::vector<Columns*> columns_of(Points<Dim>& p) { // by hand, so that a field l
           &p.expansion};
 }
 
-/// Points anywhere on a grid; every other field tells which point and component it is.
+/// Points anywhere on a grid; every other field identifies its point and component.
 template <int Dim>
 struct Shuffled {
   Grid<Dim> grid;

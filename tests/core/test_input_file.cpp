@@ -17,7 +17,7 @@ using testing::StartsWith;
 
 class InputFiles : public testing::Test {
 protected:
-  /// What is said of a file by everything that reads one.
+  /// The message of every reader about a file.
   static void expect_refused(const std::string& path, const std::string& why) {
     const auto says =
         testing::ThrowsMessage<InputError>(AllOf(StartsWith(path + ": cannot be read: "), HasSubstr(why)));
@@ -38,7 +38,7 @@ TEST_F(InputFiles, ThatNeverEndAreRefused) {
   expect_refused("/dev/zero", "is not a regular file");
   const std::string pipe = (folder_ / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  expect_refused(pipe, "is not a regular file"); // nobody writes into it: to open it would wait for ever
+  expect_refused(pipe, "is not a regular file"); // without a writer: opening it would wait for ever
 }
 
 TEST_F(InputFiles, ThatAreTooLargeAreRefused) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pressure = 3e4;
 
-/// A block of points of which those on the side x = greatest carry pressure; points are numbered from the top, so that
+/// A block of points of which those on the side of largest x carry pressure; points are numbered from the top, so that
 /// sorting changes their order.
 template <int Dim>
 struct PressedBlock {
@@ -60,8 +60,8 @@ TEST(SurfaceTraction, PushesAgainstTheOutwardSide) {
 TEST(SurfaceTraction, StandsOnARotatedAndStretchedEdgeWithTheEdgesNewLength) {
   PressedBlock<2> block;
   const Mat<2> R = Eigen::Rotation2Dd(0.6).toRotationMatrix();
-  block.deform(R *
-               Vec<2>(0.7, 1.4).asDiagonal()); // the edge, along y, grows by 1.4; what lies behind it does not matter
+  block.deform(
+      R * Vec<2>(0.7, 1.4).asDiagonal()); // the edge, along y, grows by 1.4; the material behind it does not matter
   const Vec<2> expected = -pressure * 1.5 * 1.4 * (R * Vec<2>(1.0, 0.0));
   EXPECT_LT((block.total_force() - expected).norm(), 1e-9 * pressure);
 }
@@ -93,7 +93,7 @@ TEST(SurfaceTraction, AddsToTheForcesThatStandThere) {
   EXPECT_LT((twice - 2.0 * once).norm(), 1e-9 * pressure);
 }
 
-/// A side that crosses cell lines anywhere: hats integrated along it exactly, whatever the traction is made of.
+/// A side that crosses cell lines anywhere: hats are integrated exactly along it.
 TEST(SurfaceTraction, IsSpreadAsTheHatsLieAlongTheSide) {
   PressedBlock<2> block;
   Points<2>& points = block.state.bodies[0].points;
@@ -134,7 +134,7 @@ TEST(SurfaceTraction, DoesTheWorkOfItsForceOnTheMovingSide) {
   EXPECT_NEAR(surface_work(block.state, block.model, 0.1), 0.1 * 0.5 * pressure * 1.5, 1e-9 * pressure);
 }
 
-/// A block that falls by a metre, across cells, points sorted anew on the way.
+/// A block that falls by a metre, across cells, with points re-sorted during the fall.
 Simulation<2> fallen_block(StepFunction<2> step, const std::string& chosen, bool by_points) {
   Model<2> model = model_with<2>("gimp");
   model.step = step;

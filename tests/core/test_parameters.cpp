@@ -1,4 +1,4 @@
-/// Bounds, values and exact texts: what the tables of keys stand on.
+/// Bounds, values and exact texts: the basis of the tables of keys.
 #include "core/base/error.hpp"
 #include "core/base/parameters.hpp"
 

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 constexpr unsigned purple = 0x440154, yellow = 0xfde725, missing = 0xbfbfbf;
 
 /// columns × rows square domains of 1 mm; the field is 0 in the left half and 1 in the right.
-/// @param shear slope by which each domain, but not its place, is skewed  @param size of a domain over its share
+/// @param shear slope by which each domain, but not its position, is skewed  @param size of a domain over its share
 Frame halves(int columns, int rows, double shear = 0, double size = 1) {
   Frame frame;
   Field field{"void_ratio", 1, "-", {}};
@@ -126,7 +126,7 @@ TEST(DomainRaster, LeavesNoGapsInsideASpecimenWhoseDomainsDoNotFit) {
     const DomainRaster raster = rasterise_domains(frame, {-2e-3, 10e-3, 10e-3, -2e-3}, 0.05e-3);
     for (int y = 60; y < 180; ++y)
       for (int x = 60; x < 180; ++x) {
-        const int column = (x - 40) / 20, row = 7 - (y - 40) / 20; // of the point that is at home there
+        const int column = (x - 40) / 20, row = 7 - (y - 40) / 20; // of the point that belongs there
         const int owner = raster.at(x, y);
         ASSERT_GE(owner, 0) << x << ", " << y;
         ASSERT_LE(std::abs(owner % 8 - column), 1);

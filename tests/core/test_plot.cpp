@@ -126,7 +126,7 @@ TEST_F(Plots, HaveTheirCurvesColourInPng) {
   EXPECT_EQ(png.height(), 1100);
   int rows = 0;
   for (int y = 0; y < png.height(); ++y) rows += png.count_in_row(y, 0xff0000) > 1200 ? 1 : 0;
-  EXPECT_GE(rows, 3); // 1.8 × 2.5 pixels, less those that are part covered
+  EXPECT_GE(rows, 3); // 1.8 × 2.5 pixels, without those that are partly covered
   EXPECT_LE(rows, 5);
 }
 
@@ -225,7 +225,7 @@ TEST(FreePlace, AvoidsCurvesAndBoxes) {
 TEST_F(Plots, ALogarithmicAxisPutsEqualFactorsEquallyFarApart) {
   Plot plot;
   plot.log_x = true;
-  plot.series = {{"", {0, 1, 10, 1000}, {5, 1, 2, 3}}}; // nothing has the logarithm of 0
+  plot.series = {{"", {0, 1, 10, 1000}, {5, 1, 2, 3}}}; // 0 has no logarithm
   const std::string text = svg(plot);
   const auto spots = spots_of(curve_points(text, "#0072b2"));
   ASSERT_EQ(spots.size(), 3U);

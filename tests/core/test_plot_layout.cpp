@@ -1,4 +1,4 @@
-/// Where a plot's parts stand: nothing is cut off, nothing lies on anything else, whatever the texts and the numbers.
+/// The layout of a plot: no part is cut off or overlaps another, whatever the texts and the numbers.
 #include "core/draw/plot_layout.hpp"
 #include "core/draw/text_lines.hpp"
 #include "support/patterns.hpp"
@@ -47,7 +47,7 @@ Box box_of(const LegendEntry& entry) {
           entry.corner.y + small_font * line_of_text * double(entry.lines.size())};
 }
 
-/// Tick labels are apart, differ, and are on the sheet, as the legend is.
+/// Tick labels do not overlap, differ, and are on the sheet, as is the legend.
 void expect_readable(const Plot& plot) {
   const PlotLayout l = lay_out(plot);
   const Box& area = l.axes.area;

@@ -1,4 +1,4 @@
-/// Names and what they make.
+/// Names and the objects made from them.
 #include "core/base/registry.hpp"
 
 #include <gmock/gmock.h>

@@ -97,7 +97,7 @@ TEST(Rotation, IsTheSameInSpaceForAPackAsForEachPoint) {
   }
 }
 
-/// Distance from the exactly turned stress after turning by 1 rad in `steps` steps.
+/// Distance from the exactly rotated stress after a rotation by 1 rad in `steps` steps.
 double error_after_one_radian(int steps) {
   const Vec<3> axis = Vec<3>(2, -1, 3).normalized();
   const Sym<double> start{{-1.0, -3.0, -2.0, 0.4, -0.7, 0.2}};

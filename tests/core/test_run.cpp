@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using Loop = riedel::Run<2>; // a test has a Run of its own
+using Loop = riedel::Run<2>; // testing::Test has its own Run
 
 Simulation<2> block_with_step(double time_step) {
   Model<2> model = model_with<2>("gimp");

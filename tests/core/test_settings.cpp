@@ -1,4 +1,4 @@
-/// What --set takes, and what it refuses.
+/// What --set accepts, and what it refuses.
 #include "core/case_files.hpp"
 
 namespace riedel::test {

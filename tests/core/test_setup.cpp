@@ -1,4 +1,4 @@
-/// Grids, bodies and walls from places in metres.
+/// Grids, bodies and walls from positions in metres.
 #include "core/setup/fill.hpp"
 #include "core/setup/walls.hpp"
 #include "support/problems.hpp"

@@ -1,5 +1,4 @@
-/// A simulation as a frame: points in the order of their ids, tensors in ParaView's order, domains as the scheme has
-/// them.
+/// A simulation as a frame: points in the order of their ids, tensors in ParaView's order, the domains of the scheme.
 #include "core/base/tensor.hpp"
 #include "core/io/snapshot.hpp"
 #include "support/problems.hpp"

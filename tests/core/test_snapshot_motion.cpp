@@ -1,4 +1,4 @@
-/// What a frame tells of the motion of points, of the work done on them, and of several bodies.
+/// The motion of points, the work done on them, and several bodies in a frame.
 #include "core/io/snapshot.hpp"
 #include "core/step/boundaries/rigid_body.hpp"
 #include "support/problems.hpp"
@@ -17,7 +17,7 @@ using testing::Pointwise;
 
 constexpr auto everywhere = [](const auto&) { return true; };
 
-/// 4 × 4 points that are thrown at one another along x, numbered against the order of the cells.
+/// 4 × 4 points that move towards one another along x, numbered against the order of the cells.
 template <int Dim>
 Simulation<Dim> thrown(Counts<Dim> cells) {
   State<Dim> state = elastic_state<Dim>(cells, 0.01, 1, 3, everywhere);
@@ -60,7 +60,7 @@ TEST(Snapshot, TellsTheDeformationGradientRowByRow) {
               Pointwise(DoubleNear(1e-15), {2.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}));
 }
 
-/// Per initial volume, so that it adds up to what the history tells.
+/// Per initial volume, so that it adds up to the value in the history.
 TEST(Snapshot, TellsWorkThatAddsUpToTheInternalEnergy) {
   Simulation<2> simulation = thrown<2>({4, 4});
   for (int step = 0; step < 50; ++step) simulation.step();

@@ -94,7 +94,7 @@ TEST_F(Tensors, GiveAPackWhatTheyGiveItsNumbers) {
   }
 }
 
-/// Stress over its trace, so that compression is positive: the major principal value is the pressed direction.
+/// Stress over its trace, so that compression is positive: the major principal value is in the compressed direction.
 double lode(double major, double middle, double minor) {
   return cos_3_lode(deviator(Sym<double>{{major, middle, minor, 0.0, 0.0, 0.0}}));
 }

@@ -1,4 +1,4 @@
-/// The choice of threads on a machine that is made up: its clock goes on by what a step would take.
+/// The choice of threads on an artificial machine, whose clock advances by the time that a step would take.
 #include "core/base/thread_choice.hpp"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace riedel::test {
 namespace {
 
-/// A machine with a clock, and what a step takes on it.
+/// A machine with a clock, and the time of a step on it.
 struct Machine {
   double now = 0.0;
   std::function<double(int threads, double now)> step_seconds;
@@ -106,7 +106,7 @@ TEST_F(ChoiceOfThreads, CanBeBoundToANumber) {
   EXPECT_EQ(choice.max_used(), 3);
 }
 
-/// A step of a huge case takes seconds; the look must be over after few of them.
+/// A step of a huge case takes seconds; the search must end after few of them.
 TEST_F(ChoiceOfThreads, NeedsFewOfLongSteps) {
   Machine machine{.step_seconds = [](int threads, double) { return 3.0 / threads; }};
   ThreadChoice choice({1, 8}, machine.clock());

@@ -47,7 +47,7 @@ TEST(FrameReader, GivesBackWhatWasWritten) {
   EXPECT_EQ(again.field("velocity").unit, "m/s");
 }
 
-/// Results of earlier versions are compressed otherwise.
+/// Results of earlier versions have another compression.
 TEST(FrameReader, ReadsWhatVtkHasCompressedOtherwise) {
   const TemporaryFolder folder;
   SeriesWriter(folder.path()).write(two_squares());

@@ -38,7 +38,7 @@ protected:
   fs::path directory;
 };
 
-/// Two skewed domains beside each other.
+/// Two skewed domains side by side.
 Frame two_points(double time) {
   Frame frame;
   frame.time = time;
@@ -47,7 +47,7 @@ Frame two_points(double time) {
   frame.corners = {0, 0, 0, 1, 0.1, 0, 1, 1.1, 0, 0, 1, 0, 1, 0.1, 0, 2, 0.2, 0, 2, 1.2, 0, 1, 1.1, 0};
   frame.fields = {{"void_ratio", 1, "-", {0.625, 0.75}},
                   {"velocity", 3, "m/s", {1, 2, 0, -3, 4.5, time}},
-                  {"id", 1, "-", {16777216, 16777217}, true}}; // which floats do not tell apart
+                  {"id", 1, "-", {16777216, 16777217}, true}}; // not distinguishable as floats
   return frame;
 }
 
@@ -201,7 +201,7 @@ TEST_F(VtkWriter, NamesTheDirectoryItCannotCreate) {
   }
 }
 
-/// The temporary file leads to a device that is always full.
+/// The temporary file links to a device that is always full.
 TEST_F(VtkWriter, KeepsEarlierFramesAndTheirIndexWhenAFileCannotBeWritten) {
   SeriesWriter writer(directory);
   writer.write(two_points(0));

@@ -1,4 +1,4 @@
-// Case files and what the command line sets in them.
+// Case files and the settings of the command line.
 #include "apps/biaxial/keys.hpp"
 #include "apps/element/path_keys.hpp"
 #include "apps/fake_catalogue.hpp"

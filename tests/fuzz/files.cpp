@@ -28,7 +28,7 @@ const Command& command() {
   return any;
 }
 
-/// The biaxial test, as far as reading its results goes.
+/// The biaxial test, only for reading its results.
 const RunKind kind{.cases = {.name = "biaxial"},
                    .curve_file = "history.csv",
                    .columns = {"step", "time_s", "u_over_h", "phi_mob_deg"},

@@ -13,7 +13,7 @@ void require(bool holds, const char* what) {
 }
 
 Folder::Folder() {
-  const fs::path memory = "/dev/shm"; // a million files wear no disk there
+  const fs::path memory = "/dev/shm"; // so that a million files do not wear a disk
   std::string name = ((fs::is_directory(memory) ? memory : fs::temp_directory_path()) / "riedel_fuzz_XXXXXX").string();
   require(::mkdtemp(name.data()) != nullptr, "no folder for the files");
   path_ = name;

@@ -1,4 +1,4 @@
-/// What the readers under test share.
+/// Common functions for the readers under test.
 #pragma once
 
 #include "core/base/error.hpp"
@@ -9,7 +9,7 @@
 
 namespace riedel::fuzz {
 
-/// Runs what may refuse its input; a refusal has to say something.
+/// Runs code that may refuse its input; a refusal must have a message.
 template <class Read>
 void may_refuse(Read read) {
   try {
@@ -22,7 +22,7 @@ void may_refuse(Read read) {
 /// @throws std::logic_error: a property that every input has to keep is broken
 void require(bool holds, const char* what);
 
-/// A folder of this process for inputs that are read from files; it goes with the process.
+/// A folder of this process for inputs that are read from files; it is removed when the process ends.
 class Folder {
 public:
   Folder();
@@ -38,7 +38,7 @@ private:
   std::filesystem::path path_;
 };
 
-/// The parts of an input between lines "----"; as many as are wanted, the last ones empty if need be.
+/// The parts of an input between lines "----"; as many as requested, the last ones empty if necessary.
 std::vector<std::string_view> parts(std::string_view input, std::size_t count);
 
 } // namespace riedel::fuzz

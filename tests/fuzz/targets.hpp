@@ -1,5 +1,5 @@
-/// Everything that reads what the program did not write itself, as functions of bytes. A reader takes an input or
-/// refuses it with an InputError; whatever else happens is a fault.
+/// All readers of input that the program did not write itself, as functions of bytes. A reader accepts an input or
+/// refuses it with an InputError; anything else is a fault.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// Every input that once upset a reader, and a few plain ones, read again.
+/// Every input that a reader once failed on, and a few plain ones, read again.
 #include "fuzz/targets.hpp"
 #include "temporary_folder.hpp"
 

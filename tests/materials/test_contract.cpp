@@ -1,4 +1,4 @@
-/// What every registered law owes, with each of its switches off and on.
+/// What every registered law must satisfy, with each of its switches off and on.
 #include "core/step/rotation.hpp"
 #include "support/law.hpp"
 
@@ -20,7 +20,7 @@ protected:
       rates.push_back(rotated((p % 7 == 0 ? 50.0 : 1.0) * D, Q));
       b.put(p, rotated(sigma, Q), 0.6 + 0.005 * p, rates.back());
     }
-    if (!tensors_of(b).empty()) { // a small strain of which the law takes notice, but for the first point
+    if (!tensors_of(b).empty()) { // a small strain that affects the law, except at the first point
       for (Index p = 0; p < size; ++p) b.put_rate(p, rotated((p == 0 ? 0.0 : 1.0) * random_rate(random), Q));
       b.integrate(5e-5);
       for (Index p = 0; p < size; ++p) b.put_rate(p, rates[static_cast<std::size_t>(p)]);

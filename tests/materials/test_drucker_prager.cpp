@@ -1,4 +1,4 @@
-/// Return to cone and apex against numbers found otherwise, and the three ways to match Mohr and Coulomb.
+/// Return to cone and apex against independent numbers, and the three ways to match Mohr and Coulomb.
 #include "core/step/rotation.hpp"
 #include "materials/drucker_prager.hpp"
 #include "support/one_point.hpp"
@@ -50,7 +50,7 @@ TEST(DruckerPrager, CutsTheMeanTensionOff) {
   expect_stress(corner, Vec<3>(2e3 + root_J2, 2e3 - root_J2, 2e3), 1e-9);
 }
 
-/// A cone and Mohr and Coulomb's surface have the same strength on the path that the cone is named after.
+/// A cone and Mohr and Coulomb's surface have the same strength on the path for which the cone is named.
 TEST(DruckerPrager, MatchesMohrAndCoulombInTriaxialCompressionAndExtension) {
   for (const double phi : {20.0, 40.0}) {
     const double k = (1 + sine_of(phi)) / (1 - sine_of(phi)), strength = 2 * c * std::sqrt(k);

@@ -1,4 +1,4 @@
-/// The closed forms that the law must meet, whatever integrates it.
+/// The closed forms that the law must meet, however it is integrated.
 #include "core/step/rotation.hpp"
 #include "materials/gudehus_bauer.hpp"
 #include "support/csv.hpp"
@@ -30,7 +30,7 @@ TEST(GudehusBauer, StaysOnTheLimitingVoidRatioInIsotropicCompression) {
   }
 }
 
-/// At ‖σ̂*‖ = a1 and e = e_c, flow along −σ̂* changes neither stress nor volume. @return the greatest relative rate
+/// At ‖σ̂*‖ = a1 and e = e_c, flow along −σ̂* changes neither stress nor volume. @return the largest relative rate
 double rate_in_critical_state(const Sym<double>& sigma) {
   const Sym<double> s_dev = deviator(sigma / trace(sigma)), D = (-1.0 / norm(s_dev)) * s_dev;
   const auto rate = karlsruhe().rate<double>(sigma, {e_c(-trace(sigma) / 3)}, D, norm(D));
@@ -125,7 +125,7 @@ TEST(GudehusBauer, FollowsTheReferenceInOedometricCompression) {
   follow_oedometer(0.90, "gudehus_bauer_oedometer_e0.90_iso1kPa.csv");
 }
 
-/// (A1)–(A10) once more, from the paper's symbols, point by point.
+/// (A1)–(A10) evaluated independently, in the paper's symbols, point by point.
 double wave_speed(const Sym<double>& sigma, double e) {
   const double P = -trace(sigma), shrink = std::exp(-std::pow(P / 190e6, 0.5)), e_i = 1.3 * shrink;
   const double f_d = std::pow(std::max(0.0, (e - 0.51 * shrink) / (0.31 * shrink)), 0.3), c1 = 3.061862178478973;

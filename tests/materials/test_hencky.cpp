@@ -38,7 +38,7 @@ double error_in_simple_shear(const std::string& measure, int steps, bool in_halv
   return std::abs(bench.stress[3][0] / std::numbers::sqrt2 / exact - 1);
 }
 
-/// The solver turns first and stretches then, which is of first order; the law alone is of second.
+/// The solver first rotates and then stretches, which is of first order; the law alone is of second.
 TEST(Hencky, HasTheClosedFormOfSimpleShear) {
   const double coarse = error_in_simple_shear("hencky", 400), fine = error_in_simple_shear("hencky", 800),
                alone_coarse = error_in_simple_shear("hencky", 400, true),
@@ -54,7 +54,7 @@ TEST(Hencky, HasTheClosedFormOfSimpleShear) {
   EXPECT_GT(small, 0.5) << "Jaumann's rate oscillates";
 }
 
-/// Stretch, shear, and back another way.
+/// Stretch, shear, and back along another path.
 Mat<3> closed_path(double s) {
   const double a = 0.5 * std::sin(2 * std::numbers::pi * s), b = 0.4 * (1 - std::cos(2 * std::numbers::pi * s));
   Mat<3> F = simple_shear(a);

@@ -1,5 +1,5 @@
-/// Hypoplastic laws with intergranular strain: against an independent evaluation and integration, and where theory says
-/// what the stiffness is.
+/// Hypoplastic laws with intergranular strain: against an independent evaluation and integration, and against the
+/// stiffness known from theory.
 #include "materials/intergranular_strain.hpp"
 
 #include "materials/gudehus_bauer.hpp"
@@ -144,7 +144,7 @@ struct Differences {
   double stress = 0.0, strain = 0.0; ///< relative; relative to R
 };
 
-/// Isotropic compression, deviatoric cycles, shear across them and cycles of shear. @return the greatest differences
+/// Isotropic compression, deviatoric cycles, shear across them and cycles of shear. @return the largest differences
 Differences follow_cycles(double tolerance, double step) {
   const Table curve = reference("von_wolffersdorff_intergranular_strain_cycles.csv");
   LawBench bench(sand(tolerance), 1);
@@ -168,7 +168,7 @@ TEST(IntergranularStrain, FollowsAnIndependentIntegrationOfCycles) {
   const Differences exact = follow_cycles(1e-7, 1e-6);
   EXPECT_LT(exact.stress, 1e-5);
   EXPECT_LT(exact.strain, 1e-5);
-  for (const double step : {1e-7, 1e-6, 1e-5, 1e-4}) { // with the tolerance as it is by default
+  for (const double step : {1e-7, 1e-6, 1e-5, 1e-4}) { // with the default tolerance
     const Differences usual = follow_cycles(1e-4, step);
     EXPECT_LT(usual.stress, 1e-3);
     EXPECT_LT(usual.strain, 1e-3);

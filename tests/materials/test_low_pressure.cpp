@@ -1,4 +1,4 @@
-/// Near zero pressure: finite, frame invariant, counted, and back where it came from.
+/// Near zero pressure: finite, frame invariant, counted, and contact regained after separation.
 #include "core/step/rotation.hpp"
 #include "support/law.hpp"
 
@@ -69,7 +69,7 @@ class CohesiveSand : public testing::TestWithParam<std::tuple<std::string, bool>
 protected:
   static constexpr double p_t = 3e3;
   static constexpr Index size = 45;
-  /// Points that see the same stress, with and without cohesion.
+  /// Points under the same stress, with and without cohesion.
   static LawBench crowd(double cohesion) {
     const auto& [name, extended] = GetParam();
     LawBench bench(material(name, {{"cohesion_pressure", cohesion}, {"intergranular_strain", extended}}), size);

@@ -14,7 +14,7 @@ using Parameters = std::map<std::string, Value>;
 constexpr double E = 2e6, nu = 0.3, c = 5e3, lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), mu = E / (2 * (1 + nu));
 constexpr double root_3 = std::numbers::sqrt3;
 
-/// E 2 MPa, ν 0.3, c 5 kPa, φ 30° and what is given.
+/// E 2 MPa, ν 0.3, c 5 kPa, φ 30° and the given values.
 std::shared_ptr<const Material> soil(double psi, Parameters more = {}) {
   more.insert({{"youngs_modulus", E}, {"poissons_ratio", nu}, {"cohesion", c}, {"friction_angle", 30.0}});
   more.insert({"dilatancy_angle", psi});

@@ -1,4 +1,4 @@
-/// Closed forms at finite strain, work against energy, and the stress that a run starts from.
+/// Closed forms at finite strain, work against energy, and the initial stress of a run.
 #include "materials/neo_hookean.hpp"
 #include "support/one_point.hpp"
 
@@ -25,7 +25,7 @@ Mat<3> simple_shear(double gamma) {
   F(0, 1) = gamma;
   return F;
 }
-/// Shear, stretch and out-of-plane shear, with no axis that stays; back at its start after s = 1.
+/// Shear, stretch and out-of-plane shear, without a fixed axis; back at its start after s = 1.
 Mat<3> winding_path(double s) {
   const double a = 0.8 * std::sin(2 * std::numbers::pi * s), b = 0.5 * (1 - std::cos(2 * std::numbers::pi * s));
   Mat<3> F = simple_shear(a);
@@ -50,7 +50,7 @@ double error_in_simple_shear(int steps, bool in_halves) {
   return norm(bench.stress_of(0) - exact) / norm(exact);
 }
 
-/// The solver turns first and stretches then, which is of first order; the law alone is of second.
+/// The solver first rotates and then stretches, which is of first order; the law alone is of second.
 TEST(NeoHookean, HasTheClosedFormOfSimpleShear) {
   const double coarse = error_in_simple_shear(200, false), fine = error_in_simple_shear(400, false),
                alone_coarse = error_in_simple_shear(200, true), alone_fine = error_in_simple_shear(400, true);

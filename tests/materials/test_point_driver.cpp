@@ -27,8 +27,8 @@ std::ostream& operator<<(std::ostream& out, const Curve& curve) { return out << 
 
 class ReferenceCurve : public testing::TestWithParam<Curve> {};
 
-/// From each strain of the reference to the next, the angle is met within 0.001°, the void ratio within 1e-5 and σ_11
-/// within 1e-4 of itself: fifty times, ten times and more below what is asked of the driver.
+/// From each strain of the reference to the next, the error is below 0.001° for the angle, 1e-5 for the void ratio and
+/// 1e-4 (relative) for σ_11: fifty times, ten times and more below what the driver must meet.
 TEST_P(ReferenceCurve, IsMet) {
   const Curve& curve = GetParam();
   const Table wanted = reference("gudehus_bauer_" + curve.name + ".csv");
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Curve{"simpleshear_e0.60_sn200kPa", 0.60, 200e3, simple_shear, "gamma_u_h0", "phi_atan_deg",
                           sheared}));
 
-/// (greatest angle, strain there, last angle) in one leg.
+/// (largest angle, strain there, last angle) in one leg.
 struct Angles {
   double peak = 0, at = 0, last = 0;
 };

@@ -1,4 +1,4 @@
-/// The point driver under every tolerance: round-off, edges of yield surfaces, kinks, motions given whole.
+/// The point driver under every tolerance: round-off, edges of yield surfaces, kinks, fully prescribed motions.
 #include "core/base/error.hpp"
 #include "materials/legs.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Kinds of paths, with what they start from.
+/// Kinds of paths, with their initial states.
 struct Kind {
   std::string name;
   LoadStep leg;
@@ -39,8 +39,8 @@ MaterialPoint end_of(const Material& law, const LoadStep& leg, double tolerance)
 
 class AnyTolerance : public testing::TestWithParam<std::string> {};
 
-/// Round-off is taken for no error, and what comes out is within the tolerance of what the smallest one gives, as far
-/// as the law's own tolerance goes.
+/// Round-off is not taken for an error, and results differ from those of the smallest tolerance by no more than the
+/// tolerance, as far as the law's own tolerance allows.
 TEST_P(AnyTolerance, IsMetByEveryLawOnEveryKindOfPath) {
   constexpr double of_law = 1e-8;
   const Keys& parameters = catalogue().materials.find(GetParam()).description.parameters;
@@ -59,8 +59,8 @@ TEST_P(AnyTolerance, IsMetByEveryLawOnEveryKindOfPath) {
 }
 INSTANTIATE_TEST_SUITE_P(All, AnyTolerance, testing::ValuesIn(law_names()));
 
-/// At an edge of the yield surface any sum of flow on the two planes keeps the lateral stresses; what was symmetric
-/// stays so.
+/// At an edge of the yield surface any sum of flow on the two planes keeps the lateral stresses; a symmetric state
+/// remains symmetric.
 TEST(PointDriver, StaysSymmetricAtTheEdgeOfAYieldSurface) {
   for (const double residual : {30.0, 25.0}) {
     const auto law = material("mohr_coulomb", {{"friction_angle_residual", residual}, {"softening_strain", 0.05}});
@@ -75,7 +75,7 @@ TEST(PointDriver, StaysSymmetricAtTheEdgeOfAYieldSurface) {
   }
 }
 
-/// Where directions of stress turn, a return mapping is of first order in the step.
+/// Where the directions of stress rotate, a return mapping is of first order in the step.
 TEST(PointDriver, ConvergesWhereAYieldSurfaceIsFollowedAroundItsAxis) {
   for (const std::string& name : laws_with("softening_strain")) {
     const auto law = material(name);
@@ -88,7 +88,7 @@ TEST(PointDriver, ConvergesWhereAYieldSurfaceIsFollowedAroundItsAxis) {
   }
 }
 
-/// A stress that moves by 100 Pa with every call.
+/// A stress that changes by 100 Pa with every call.
 class Restless final : public Material {
 public:
   [[nodiscard]] std::span<const StateVariable> states() const override { return {}; }
@@ -99,7 +99,7 @@ public:
   [[nodiscard]] MaterialLimits assess(const MaterialBatch&) const override { return {.wave_speed = 70.0}; }
 };
 
-/// The message of a path that ends without a condition missed names none.
+/// The message for a path that misses no condition names none.
 TEST(PointDriver, SaysThatAStressJumps) {
   const Restless law;
   PointDriver driver(law, {.stress = -100e3 * Sym<double>::identity()});
@@ -127,7 +127,7 @@ TEST(PointDriver, LeadsAConditionAlongASine) {
   EXPECT_LT(minimum, 9.5e3) << "it goes back on its way";
 }
 
-/// A stretch and a turn at once: the stress of an elastic point is that of the stretch, turned.
+/// A stretch and a rotation at once: the stress of an elastic point is that of the stretch, rotated.
 TEST(PointDriver, FollowsADeformationGradient) {
   const auto law = material("linear_elastic", {{"youngs_modulus", 1e6}, {"poissons_ratio", 0.25}});
   LoadStep leg{.conditions = {}, .motion = LoadStep::Motion::given};

@@ -64,7 +64,7 @@ TEST(RateLaw, IntegratesALawWrittenForOnePointAsItDoesOneWrittenForPacks) {
   }
 }
 
-/// Its stress is always in order, its state never; no check of the stress alone finds that.
+/// Its stress is always admissible, its state never; a check of the stress alone does not find that.
 class BrokenState final : public RateLaw<BrokenState, 1> {
 public:
   static constexpr bool frictional = false;
@@ -138,7 +138,7 @@ struct Errors {
   double stress = 0.0, angle = 0.0; ///< relative; in degrees
 };
 
-/// Follows a path in steps as large as one evaluation may take, and once more exactly. @return the greatest differences
+/// Follows a path in steps as large as one evaluation may take, and once more exactly. @return the largest differences
 template <class Path>
 Errors errors_of_one_evaluation(double void_ratio, const Path& D_at) {
   const GudehusBauer law{sand_values()};
@@ -164,7 +164,7 @@ Errors errors_of_one_evaluation(double void_ratio, const Path& D_at) {
   return worst;
 }
 
-/// Compression, shear at constant volume, nearly drained compression: Euler runs half a step behind and never farther.
+/// Compression, shear at constant volume, nearly drained compression: Euler lags by half a step at most.
 TEST(RateLaw, StaysWithinTwiceAndAHalfTheToleranceOfTheExactPathWithOneEvaluationPerStep) {
   Errors worst;
   for (const Sym<double>& D : {diagonal(-1, 0, 0), diagonal(1, -1, 0), diagonal(0.75, -1, 0)})
@@ -178,7 +178,7 @@ TEST(RateLaw, StaysWithinTwiceAndAHalfTheToleranceOfTheExactPathWithOneEvaluatio
   EXPECT_LT(worst.angle, 0.02);
 }
 
-/// A pressure that is taken off again is not forgotten: what was missing of the large one counts more in the small one.
+/// A pressure that is removed again still matters: an error at the large pressure weighs more at the small one.
 TEST(RateLaw, StaysWithinTenTimesTheToleranceWhereSandIsUnloadedAgain) {
   Errors worst;
   for (const double void_ratio : {0.55, 0.75, 0.90}) {
@@ -192,7 +192,7 @@ TEST(RateLaw, StaysWithinTenTimesTheToleranceWhereSandIsUnloadedAgain) {
   EXPECT_LT(worst.angle, 0.03);
 }
 
-/// Elastic waves shake a point to and fro. The law then loses pressure by itself; Euler must not add to it.
+/// Elastic waves strain a point cyclically. The law then loses pressure by itself; Euler must not add to it.
 TEST(RateLaw, AddsLittleToTheLossOfPressureUnderVibration) {
   LawBench once(sand<GudehusBauer>(), 1), exact(sand<GudehusBauer>(1e-9), 1);
   for (LawBench* bench : {&once, &exact}) {

@@ -1,4 +1,4 @@
-/// Softening of elastoplastic laws: exact along its straight line, and driven by the average where there is one.
+/// Softening of elastoplastic laws: exact along its straight line, and driven by the average if there is one.
 #include "core/state/points.hpp"
 #include "support/one_point.hpp"
 

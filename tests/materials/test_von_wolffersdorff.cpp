@@ -18,7 +18,7 @@ VonWolffersdorff sand(std::map<std::string, Value> with = {}) {
   return VonWolffersdorff(values);
 }
 
-/// Evaluated once with full tensors, σ° = L_ijkl D_kl + N_ij ‖D‖, from the symbols of the paper.
+/// Evaluated once with full tensors, σ° = L_ijkl D_kl + N_ij ‖D‖, in the symbols of the paper.
 TEST(VonWolffersdorff, HasTheRateOfAnIndependentEvaluation) {
   struct Case {
     Sym<double> sigma;
@@ -88,7 +88,7 @@ TEST(VonWolffersdorff, StaysOnTheLimitingVoidRatioInIsotropicCompression) {
   }
 }
 
-/// At ‖σ̂*‖ = F/a and e = e_c, flow along −σ̂* changes neither stress nor volume. @return the greatest relative rate
+/// At ‖σ̂*‖ = F/a and e = e_c, flow along −σ̂* changes neither stress nor volume. @return the largest relative rate
 double rate_in_critical_state(const Sym<double>& sigma) {
   const VonWolffersdorff law = sand({{"phi_c", 30.0}});
   const Sym<double> s_dev = deviator(sigma / trace(sigma)), D = (-1.0 / norm(s_dev)) * s_dev;
@@ -111,11 +111,11 @@ TEST(VonWolffersdorff, HasACriticalAngleOf33Point690DegreesInPlaneStrain) {
   EXPECT_NEAR(std::tan(std::asin(3 * half)), 2.0 / 3.0, 1e-12);
 }
 
-/// Between the meridians, too: I1 I2/I3 of the critical stress is that of triaxial compression.
+/// Between the meridians as well, I1 I2/I3 of the critical stress is that of triaxial compression.
 TEST(VonWolffersdorff, HasItsCriticalStatesOnTheSurfaceOfMatsuokaAndNakai) {
   const double of_compression = (3 + 1 + 1) * (3 + 3 + 1) / 3.0;
   for (const double middle : {1.2, 1.5, 2.0, 2.5, 2.9}) {
-    double low = middle, high = 4.0; // of the greatest stress; the least is 1
+    double low = middle, high = 4.0; // of the largest stress; the smallest is 1
     const auto invariant = [&](double s) { return (s + middle + 1) * (s * middle + middle + s) / (s * middle); };
     for (int i = 0; i < 100; ++i) (invariant(0.5 * (low + high)) < of_compression ? low : high) = 0.5 * (low + high);
     EXPECT_LT(rate_in_critical_state(-1e5 * diagonal(low, middle, 1)), 1e-9) << "middle stress " << middle;

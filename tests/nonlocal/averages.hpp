@@ -1,4 +1,4 @@
-/// What tests of averagers share: numbers, a sum to compare with, ways to move points.
+/// Common parts of the tests of averagers: numbers, a reference sum, motions of points.
 #pragma once
 
 #include "nonlocal/clouds.hpp"
@@ -27,7 +27,7 @@ Numbers averaged(NonlocalAverager<Dim>& averager, const Columns& x, const Number
   return answer;
 }
 
-/// The sum over all pairs as it stands in the paper, with the cut, written without the library's weight.
+/// The sum over all pairs as in the paper, with the cut-off, written without the library's weight.
 template <int Dim>
 Numbers dense_sum(const Columns& x, const Numbers& volumes, const Numbers& field, double length) {
   Numbers answer(field.size());
@@ -55,7 +55,7 @@ inline void expect_near(const Numbers& a, const Numbers& b, double tolerance) {
   for (std::size_t p = 0; p < a.size(); ++p) ASSERT_NEAR(a[p], b[p], tolerance) << "at point " << p;
 }
 
-/// Moves every point its own way, at most by `step` along each axis.
+/// Moves every point differently, at most by `step` along each axis.
 template <int Dim>
 void shake(Columns& x, double step, unsigned seed) {
   std::mt19937 random(seed);

@@ -1,4 +1,4 @@
-/// Clouds of points that searches and averagers are tried on.
+/// Clouds of points for the tests of searches and averagers.
 #pragma once
 
 #include "core/interface/neighbour_search.hpp"
@@ -48,7 +48,7 @@ Counts<Dim> cube(Index n) {
   return counts;
 }
 
-/// Every kind of cloud that once broke a search: all within a box of about one metre, but for the far-flung one.
+/// Kinds of clouds on which a search has failed: all within a box of about one metre, except the widespread one.
 template <int Dim>
 std::vector<Cloud> clouds() {
   constexpr Index side = Dim == 2 ? 24 : 9;

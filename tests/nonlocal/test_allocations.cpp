@@ -1,4 +1,4 @@
-/// Counts what the whole test program takes from the heap, to show that averaging takes nothing and keeps little.
+/// Counts heap allocations of the whole test program, to show that averaging allocates nothing and keeps little.
 #include "nonlocal/averages.hpp"
 
 #include "nonlocal/register.hpp"
@@ -9,7 +9,7 @@
 
 namespace {
 std::atomic<long> allocations = 0;
-std::atomic<long> bytes = 0; ///< taken and not given back
+std::atomic<long> bytes = 0; ///< allocated and not freed
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
@@ -50,7 +50,7 @@ TEST(Averaging, TakesNoMemoryBetweenSearches) {
     averager->average(volumes.data(), field.data(), answer.data());
     const long before = allocations;
     for (int call = 0; call < 20; ++call) {
-      for (Index p = 0; p < x.size(); ++p) x[0][p] += 1e-4 * p / 900; // weights are evaluated anew now and then
+      for (Index p = 0; p < x.size(); ++p) x[0][p] += 1e-4 * p / 900; // weights are re-evaluated now and then
       averager->update_neighbours(x);
       averager->average(volumes.data(), field.data(), answer.data());
     }
@@ -59,7 +59,7 @@ TEST(Averaging, TakesNoMemoryBetweenSearches) {
   }
 }
 
-/// All that `gauss` keeps, what it keeps per point included, over the neighbours within 3 l_c and the skin.
+/// All memory that `gauss` keeps, including that per point, over the neighbours within 3 l_c and the skin.
 TEST(Averaging, KeepsAtMostTwelveBytesPerNeighbourOfPointsInRows) {
   CatalogueOf<2> catalogue;
   register_nonlocal(catalogue);

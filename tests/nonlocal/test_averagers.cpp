@@ -18,7 +18,7 @@ protected:
 
   EveryAverager() { register_nonlocal<axes>(catalogue_); }
 
-  /// Calls `check(make, tolerance)` for every averager with every search; `make()` gives a fresh one of length l_c.
+  /// Calls `check(make, tolerance)` for every averager with every search; `make()` gives a new one of length l_c.
   void for_every_averager(const auto& check) {
     for (const auto& averager : catalogue_.averagers.entries())
       for (const auto& search : catalogue_.searches.entries()) {
@@ -54,7 +54,7 @@ TYPED_TEST(EveryAverager, GivesTheDenseSumOverAllPairs) {
 
 TYPED_TEST(EveryAverager, CountsAPointOfDoubleVolumeTwice) {
   const Index n = this->x_.size();
-  Columns twice(TestFixture::axes); // one more point, at the place of point 5, with its volume and field
+  Columns twice(TestFixture::axes); // one more point, at the position of point 5, with its volume and field
   twice.resize(n + 1);
   for (int a = 0; a < TestFixture::axes; ++a) {
     std::copy_n(this->x_[a], n, twice[a]);

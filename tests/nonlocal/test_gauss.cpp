@@ -1,4 +1,4 @@
-/// What is particular to `gauss`: what it keeps from call to call, and how it acts on a coarse lattice.
+/// Properties of `gauss` alone: what it keeps from call to call, and its effect on a coarse lattice.
 #include "nonlocal/averages.hpp"
 
 #include "nonlocal/cell_list.hpp"
@@ -44,7 +44,7 @@ TYPED_TEST(GaussAveragers, SearchAnewBeforeANeighbourIsMissing) {
   auto kept = make_gauss<dim>(this->length_);
   constexpr int calls = 60;
   for (int call = 0; call < calls; ++call) {
-    // Every other point goes its way, half of l_c in all and far enough for new weights at each call.
+    // Every other point moves, by half of l_c in all and far enough for new weights at each call.
     for (Index p = 0; p < this->x_.size(); p += 2) this->x_[0][p] += this->length_ / 120.0;
     auto fresh = make_gauss<dim>(this->length_);
     expect_near(averaged(kept, this->x_, this->volumes_, this->field_),
@@ -111,8 +111,7 @@ struct Specimen {
 };
 
 TEST(GaussAverager, HasTheDocumentedErrorOfKeptWeights) {
-  constexpr double way =
-      1.99 * GaussAverager<2>::weights_last * Specimen::length; // just before they are evaluated anew
+  constexpr double way = 1.99 * GaussAverager<2>::weights_last * Specimen::length; // just before they are re-evaluated
   double thick = 0.0, thin = 0.0, squeezed = 0.0;
   for (const Counts<2>& counts : {Counts<2>{24, 84}, Counts<2>{32, 112}}) {
     for (double* largest : {&thick, &thin}) {

@@ -1,4 +1,4 @@
-/// What is particular to `gauss_grid`: its error against the sum over pairs, and the size of its grid.
+/// Properties of `gauss_grid` alone: its error against the sum over pairs, and the size of its grid.
 #include "nonlocal/averages.hpp"
 
 #include "nonlocal/cell_list.hpp"
@@ -73,7 +73,7 @@ TEST(GaussGridAverager, IsWithinAThousandthOfTheSumOverPairsInSpace) {
   EXPECT_LT(error<3>(disturbed<3>({20, 20, 20}, length / 2.4, 0.3), 2.7, spacing), 1e-3);
 }
 
-/// A grid laid out around points elsewhere has its node 0 elsewhere, and its strips.
+/// A grid around points at another position has its node 0 and its strips at another position.
 TEST(GaussGridAverager, GivesTheSameBitsWhereverTheGridWasLaidOut) {
   Columns x = random_points<2>(500, 20 * length), more = random_points<2>(500, 60 * length, 2);
   for (int a = 0; a < 2; ++a) std::copy_n(x[a], 400, more[a]);

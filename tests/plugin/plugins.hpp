@@ -11,7 +11,7 @@ namespace riedel::test {
 inline std::string example(const std::string& name) { return PLUGINS "/examples/" + name + ".so"; }
 inline std::string library(const std::string& name) { return PLUGINS "/" + name + ".so"; }
 
-/// The built-in catalogue and what a library brings.
+/// The built-in catalogue and the entries of a library.
 inline Catalogue catalogue_with(const std::string& path) {
   Catalogue all = full_catalogue();
   load_plugin(path, all);

@@ -1,4 +1,4 @@
-/// The boundary that apps/plugins/absorbing.cpp brings, against waves that meet it, and the page that shows it.
+/// The boundary of apps/plugins/absorbing.cpp under incident waves, and the page that shows it.
 #include "apps/riedel.hpp"
 #include "plugin/plugins.hpp"
 #include "support/problems.hpp"
@@ -21,7 +21,7 @@ NodeBox<2> column_end(const Grid<2>& grid, const ShapeFunction<2>& shape, Behind
   return place;
 }
 
-/// What is left of the energy of a pulse in the middle of a column when it has been at both ends.
+/// The remaining energy of a pulse that starts in the middle of a column, after it has reached both ends.
 /// @param axis along which the points of the pulse move: 1 compression, 0 shear
 double energy_left(const Catalogue& catalogue, int axis, bool absorbs) {
   constexpr Index cells = 60;

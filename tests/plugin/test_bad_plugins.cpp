@@ -49,7 +49,7 @@ TEST(BadPlugin, WithANameThatIsTakenIsRefused) {
   }
 }
 
-/// A coarse biaxial test with one of the laws that go wrong.
+/// A coarse biaxial test with one of the laws that fail.
 Outcome run_with(const TemporaryFolder& folder, const std::string& law, const Words& more = {}) {
   Words words = coarse_case(folder / "out", {"--set", "material.plugin=" + library("bad_laws"), "--set",
                                              "material.model=" + law, "--set", "nonlocal.length=0", "--force"});

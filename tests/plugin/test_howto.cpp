@@ -1,4 +1,4 @@
-/// The commands of the pages for plug-in authors, as they stand there, with short runs.
+/// The commands of the pages for plug-in authors, as written there, with short runs.
 #include "plugin/plugins.hpp"
 #include "support/patterns.hpp"
 
@@ -25,7 +25,7 @@ std::vector<std::string> program_lines(const std::string& page) {
   return lines;
 }
 
-/// What makes a command quick, behind what the page says.
+/// The command with settings that make it quick.
 std::string shortened(const std::string& line) {
   std::string quick = std::string(RIEDEL_PROGRAM) + line.substr(std::string("riedel").size());
   if (line.starts_with("riedel biaxial"))

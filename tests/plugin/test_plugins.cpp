@@ -1,4 +1,4 @@
-/// Plug-ins that do what they should.
+/// Plug-ins that work correctly.
 #include "apps/verify/problem.hpp"
 #include "core/io/table.hpp"
 #include "plugin/plugins.hpp"
@@ -68,7 +68,7 @@ TEST(Plugin, OutlivesTheCatalogueThatItWasLoadedInto) {
   EXPECT_GT(law->density({}), 0.0);
 }
 
-/// Failure in triaxial compression at the angle, with the dilatancy, and after the stiffness that were asked for.
+/// Triaxial compression has the specified initial stiffness, angle of failure and dilatancy.
 TEST(WuBauer, MeetsItsStiffnessItsFrictionAndItsDilatancy) {
   const double K = (1 + std::sin(40.8 * std::numbers::pi / 180)) / (1 - std::sin(40.8 * std::numbers::pi / 180));
   const double widening =
@@ -114,7 +114,7 @@ TEST(BoxedPlugin, EqualsGimpForABoxAsWideAsThePoints) {
   EXPECT_NE(history("narrow", {"--set", "scheme=boxed", "--set", "interpolation.width=0.2"}).back(), gimp.back());
 }
 
-/// Problems with known answers take what to expect from the scheme itself.
+/// Problems with known solutions take the expected values from the scheme itself.
 TEST(BoxedPlugin, BringsWhatIsToBeExpectedOfIt) {
   const Catalogue all = catalogue_with(example("boxed"));
   const auto& entry = all.in_2d.schemes.find("boxed");
@@ -148,7 +148,7 @@ TEST(AsflipPlugin, KeepsTheContractOfATransfer) {
   expect_point_data_to_be_sorted<2>(in_plane, "gimp");
 }
 
-/// Velocities and places after some steps of a block that is shaken.
+/// Velocities and positions after some steps of a block that is shaken.
 std::vector<double> shaken_with(const TransferPointer<2>& chosen) {
   State<2> state = scattered_block<2>({4, 3}, 1e5);
   shake(state.bodies[0].points);
@@ -225,7 +225,7 @@ TEST(PluginInTheProgram, IsFoundInTheFoldersOfThePath) {
   EXPECT_THAT(missing.err, HasSubstr("RIEDEL_PLUGIN_PATH: /no/such/folder"));
 }
 
-/// Searched pair by pair, averaged without weights: other numbers, found by the plug-in's own classes.
+/// Searched pair by pair, averaged without weights: other numbers, from the plug-in's own classes.
 TEST(PluginInTheProgram, SearchesAndAveragesInItsOwnWay) {
   const TemporaryFolder folder;
   const auto angles = [&](const std::string& name, const Words& more) {

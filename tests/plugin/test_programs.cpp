@@ -1,4 +1,4 @@
-/// The example programs, built out of tree against what was installed, do what their first lines say.
+/// The example programs, built out of tree against the installed library, do what their first lines say.
 #include "core/io/table.hpp"
 #include "temporary_folder.hpp"
 

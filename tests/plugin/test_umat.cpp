@@ -1,4 +1,4 @@
-/// UMATs: ours in Fortran against the built-in laws, and ones in C that go wrong.
+/// UMATs: Riedel's own in Fortran against the built-in laws, and faulty ones in C.
 #include "materials/umat.hpp"
 #include "plugin/umats.hpp"
 #include "support/one_point.hpp"
@@ -23,7 +23,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-/// The law of the paper, by its own source in Fortran.
+/// The law of the paper, from a separate source in Fortran.
 Words sand_umat() {
   const double radians = 30.0 * std::numbers::pi / 180.0;
   return {"--set", "material.model=umat",
@@ -152,7 +152,7 @@ TEST(Umat, TurnsItsTensorStatesAndKeepsTheirEngineeringShear) {
   EXPECT_EQ(bench.state[6][0], 7.0);
 }
 
-/// A UMAT that sums the strain up and does not turn the sum.
+/// A UMAT that sums up the strain and does not rotate the sum.
 TEST(Umat, PassesTheCheckIfItsTensorStateIsDeclaredAndFailsItOtherwise) {
   const TemporaryFolder folder;
   const Words words{"umat-check", library("umat_4"), "--set", "material.state=[1e-3,2e-3,-1e-3,1e-3,0,5e-4]"};
@@ -207,7 +207,7 @@ TEST(Umat, WithoutALibraryFailsInItsFirstStepWithTheKeysName) {
   EXPECT_THAT(std::string(bench.report.reason), HasSubstr("material.library"));
 }
 
-/// A library with data of its own, called from two threads at once: each has a copy.
+/// A library with global data, called from two threads at once: each has a copy.
 TEST(Umat, HasACopyOfItsLibraryForEachThread) {
   UmatLibrary shared(library("umat_0"), "umat_", true), copied(library("umat_0"), "umat_", false);
   const auto first = copied.lease(), second = copied.lease();

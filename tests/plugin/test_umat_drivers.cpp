@@ -1,5 +1,5 @@
-/// Every driver tells a UMAT the same of motion and time: an auditing one is led through all of them, and laws that
-/// follow from DFGRD1 or from TIME alone are held against closed forms.
+/// Every driver passes the same motion and time to a UMAT: an auditing one is run by all of them, and laws that depend
+/// on DFGRD1 or on TIME alone are compared with closed forms.
 #include "plugin/umats.hpp"
 
 namespace riedel::test {
@@ -30,7 +30,7 @@ TEST(UmatDrivers, GiveTheOedometerOfALawOfTheDeformationGradient) {
   EXPECT_NEAR(1e-3 * curve["sigma_1_Pa"].back(), there, 2e-3 * there);
 }
 
-/// Simple shear with free height: what stands vertical turns, and the law sees it in F alone. The closed form holds for
+/// Simple shear with free height: vertical lines rotate, which the law obtains from F alone. The closed form holds for
 /// the shear stress, μ γ λ / J^(5/3), and the height λ that keeps the normal stress.
 TEST(UmatDrivers, GiveTheShearOfALawOfTheDeformationGradient) {
   const TemporaryFolder folder;
@@ -58,7 +58,7 @@ TEST(UmatDrivers, GiveTheOedometerOfALawThatAges) {
               5e-3 * wanted);
 }
 
-/// Of two stages of a second each, with as much strain: the second begins at TIME(1) = 0 again.
+/// Two stages of one second each, with the same strain: the second begins at TIME(1) = 0 again.
 TEST(UmatDrivers, CountTheTimeOfAStageFromItsStart) {
   const TemporaryFolder folder;
   std::string text = "[initial]\nsigma = [1, 1, 1]\n";
@@ -74,7 +74,7 @@ TEST(UmatDrivers, CountTheTimeOfAStageFromItsStart) {
   }
 }
 
-/// The auditing UMAT: PROPS(3) whether rotations go with the spin, PROPS(4) the longest strain of a part of a step.
+/// The auditing UMAT: PROPS(3) whether rotations follow the spin, PROPS(4) the longest strain of a part of a step.
 Words audit(const std::string& with_spin, const std::string& longest) {
   const std::string states = "[0,0,0,0,0,0" + [] {
     std::string zeros;
@@ -128,7 +128,7 @@ TEST(UmatDrivers, OfTheCheckTellAUmatOfStepsThatFollowEachOther) {
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
 }
 
-/// In parts, too, elastic shear is that of the whole step: each part turns and strains as its share of the step.
+/// In parts, too, elastic shear is that of the whole step: each part rotates and strains by its share of the step.
 TEST(UmatDrivers, GiveTheSameInStepsThatAreCut) {
   const TemporaryFolder folder;
   const Words shear = set({"loading.final_strain=0.3", "loading.normal_stress=1e5", "output.every_strain=0.01"});

@@ -1,4 +1,4 @@
-/// UMATs that end the program, crash, do nothing or do mischief by being loaded, and threads without copies of a
+/// UMATs that end the program, crash, do nothing or interfere when they are loaded, and threads without copies of a
 /// library.
 #include "core/base/parallel.hpp"
 #include "materials/umat/library.hpp"
@@ -24,7 +24,7 @@ void PrintTo(const Ending& ending, std::ostream* out) { *out << ending.name; }
 class UmatThat : public testing::TestWithParam<Ending> {
 protected:
   TemporaryFolder folder_;
-  /// Ends so after `seconds`.
+  /// Ends in this way after `seconds`.
   [[nodiscard]] Words law(const char* seconds) const {
     return joined(umat_named("endings", GetParam().name, std::string("[") + seconds + "]"),
                   set({"material.state=[0]"}));
@@ -83,7 +83,7 @@ TEST(UmatInFortran, ThatStopsSaysWhyAndFailsTheRun) {
   EXPECT_THAT(outcome.out, HasSubstr("written by the UMAT"));
 }
 
-/// What is wrong, and what the check says of it.
+/// Faults, and the messages of the check about them.
 class UmatWith : public testing::TestWithParam<Ending> {};
 
 TEST_P(UmatWith, FailsTheCheckThatNamesTheProbe) {
@@ -203,7 +203,7 @@ TEST(LibraryThatDisturbs, LeavesSignalsAndArithmetic) {
   EXPECT_GT(tiny * 0.5, 0.0);
 }
 
-/// Where no copies can be made, threads take turns, and this is said once.
+/// If no copies can be made, threads take turns, and this is reported once.
 TEST(UmatWithoutCopies, IsUsedByOneThreadAfterTheOther) {
   for (const char* place : {"/proc", "/no/such/folder"}) {
     UmatLibrary umat(library("umat_0"), "umat_", false);
@@ -220,7 +220,7 @@ TEST(UmatWithoutCopies, IsUsedByOneThreadAfterTheOther) {
     };
     std::thread first, second;
     {
-      const auto held = umat.lease(); // so that the others need a copy for certain
+      const auto held = umat.lease(); // so that the others certainly need a copy
       first = std::thread(work);
       second = std::thread(work);
       std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -31,7 +31,7 @@ inline Words element(const TemporaryFolder& folder, const std::string& test, con
   return joined(joined(words, law), more);
 }
 
-/// The tiniest biaxial test.
+/// A very small biaxial test.
 inline Words biaxial(const TemporaryFolder& folder, const Words& law, const Words& more = {}) {
   const Words tiny = set({"nonlocal.length=0", "grid.cells=[4,8]", "imperfection.size=[0,0]", "loading.speed=1",
                           "loading.final_strain=0.002", "output.plots=false"});
@@ -46,7 +46,7 @@ inline double last_stress(const TemporaryFolder& folder, const Words& words) {
   return 1e-3 * read_table(folder / "out" / "element.csv")["sigma_1_Pa"].back();
 }
 
-/// A variable of the environment, for programs that start while it lives.
+/// An environment variable, for programs that start during its lifetime.
 class Environment {
 public:
   Environment(const char* name, const char* value) : name_(name) { ::setenv(name, value, 1); }

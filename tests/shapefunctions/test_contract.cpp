@@ -1,4 +1,4 @@
-/// What every registered scheme owes, in two and three dimensions.
+/// What every registered scheme must satisfy, in two and three dimensions.
 #include "support/problems.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -61,7 +61,7 @@ struct Cloud {
   }
 };
 
-/// Least eigenvalue of Σ_i N_ip (x_i − x_p) ⊗ (x_i − x_p), lengths in cells, over points on nodes and anywhere.
+/// Smallest eigenvalue of Σ_i N_ip (x_i − x_p) ⊗ (x_i − x_p), lengths in cells, over points on nodes and anywhere.
 template <int Dim>
 double min_second_moment(const std::string& name) {
   const Cloud<Dim> cloud(name, 0.25, 0.3);
@@ -77,7 +77,7 @@ double min_second_moment(const std::string& name) {
   return minimum;
 }
 
-/// What APIC divides by.
+/// The matrix that APIC inverts.
 template <int Dim>
 void a_scheme_that_spreads_points_has_second_moments(const std::string& name) {
   if (scheme<Dim>(name)->supports_affine()) {
@@ -114,8 +114,8 @@ void linear_fields_are_exact(const std::string& name, bool walls) {
 }
 
 /// With the whole domain inside one cell, where hats are multilinear, ∇N is the derivative of N for any scheme; in
-/// three dimensions a slanted domain sees the hats' cubic term, so there the domains are upright. The middles of cells,
-/// where splines of second degree have their knots, are left out.
+/// three dimensions the hats' cubic term affects an inclined domain, so there the domains are axis-aligned. The centres
+/// of cells, where splines of second degree have their knots, are left out.
 template <int Dim>
 void gradients_match_difference_quotients(const std::string& name) {
   constexpr double step = 1e-5;

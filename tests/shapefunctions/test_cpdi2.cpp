@@ -1,5 +1,5 @@
-/// Domains with corners of their own: what they must share with parallelograms, and what only they can do; and the
-/// limit on long domains.
+/// Domains with independent corners: what they share with parallelograms, and what only they can do; and the limit on
+/// long domains.
 #include "core/step/grid_to_points.hpp"
 #include "core/step/locate.hpp"
 #include "shapefunctions/one_stencil.hpp"
@@ -28,7 +28,7 @@ TEST(Cpdi2, EqualsCpdiForAParallelogram) {
   equals_cpdi_for_a_parallelogram<3>();
 }
 
-/// One point whose corners are put where `corner(c)` says.
+/// One point with its corners at `corner(c)`.
 template <int Dim>
 struct FreeDomain {
   Points<Dim> points;
@@ -99,7 +99,7 @@ TEST(Cpdi2, MarksADomainThatIsTurnedInsideOut) {
   EXPECT_TRUE(FreeDomain<2>([&](int c) { return places[c]; }).stencils.group_of(0).lost[0]);
 }
 
-/// A block whose nodes move as v = A x + q(x), at a standstill otherwise.
+/// A block whose nodes move with v = A x + q(x), otherwise at rest.
 template <int Dim>
 State<Dim> moved(const std::string& name, double quadratic, double limit = 0.0) {
   Counts<Dim> cells;
@@ -147,7 +147,7 @@ TEST(Cpdi2, StaysCpdiInHomogeneousMotion) {
   }
 }
 
-/// The greatest distance between corners that were one at the start.
+/// The largest distance between corners that coincide at the start.
 double gap(const std::string& name) {
   const State<2> state = moved<2>(name, 0.5);
   const Points<2>& points = state.bodies[0].points;

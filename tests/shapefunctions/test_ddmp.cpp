@@ -1,4 +1,5 @@
-/// The dual domain method's gradients: continuous, those of the mesh's averages in the interior, none where no mass is.
+/// The dual domain method's gradients: continuous, those of nodal averages in the interior, zero where there is no
+/// mass.
 #include "shapefunctions/one_stencil.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST(Ddmp, MixesBothGradientsByAlphaInTheMiddleOfACell) {
   EXPECT_LT((gradient(0.5) - 0.5 * (gradient(0.0) + gradient(1.0))).norm(), 1e-14);
 }
 
-/// Forces must not go where no mass is: momentum would be lost there.
+/// Forces must not act where there is no mass: momentum would be lost there.
 template <int Dim>
 void nodes_with_a_gradient_have_mass(double from) {
   const Block<Dim> block(0.5, from);

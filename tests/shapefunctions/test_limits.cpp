@@ -1,4 +1,4 @@
-/// Where one scheme must turn into another.
+/// Limits in which one scheme must become another.
 #include "shapefunctions/one_stencil.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 namespace riedel::test {
 namespace {
 
-/// Σ_i N_i ln N_i + γ Σ_i N_i |x − x_i|²/h², which the functions make as small as can be.
+/// Σ_i N_i ln N_i + γ Σ_i N_i |x − x_i|²/h², which the functions minimise.
 double bias(const std::vector<Weight<2>>& weights, const Vec<2>& x, double gamma, const Grid<2>& grid) {
   double sum = 0.0;
   for (Index i = 0; i < grid.node_count(); ++i) {
@@ -16,7 +16,7 @@ double bias(const std::vector<Weight<2>>& weights, const Vec<2>& x, double gamma
   return sum;
 }
 
-/// Along x, the node row of the lower corner of cell 0 a wall.
+/// Along x, with a wall at the node row of the lower corner of cell 0.
 Grid<2> with_a_wall() {
   Grid<2> grid = four_cells<2>();
   grid.walls[0].first = 4;
@@ -25,7 +25,7 @@ Grid<2> with_a_wall() {
 
 class LeastBias : public testing::TestWithParam<double> {};
 
-/// Moving weight between three nodes in a row, as linear fields allow it, makes the sum greater, by second order.
+/// Moving weight between three nodes in a row, as linear fields allow it, increases the sum by second order.
 TEST_P(LeastBias, NoOtherWeightsWithTheSameLinearFieldsAreLessBiased) {
   const double gamma = GetParam();
   for (const Grid<2>& grid : {four_cells<2>(), with_a_wall()})
@@ -45,7 +45,7 @@ TEST_P(LeastBias, NoOtherWeightsWithTheSameLinearFieldsAreLessBiased) {
     }
 }
 
-/// Newton's method has arrived, wherever the point lies: next to a wall, on it, and in a single cell between two.
+/// Newton's method has converged, wherever the point lies: next to a wall, on it, and in a single cell between two.
 TEST_P(LeastBias, LinearFieldsAreExactEverywhere) {
   for (const Index last : {5, 6, 8}) {
     Grid<2> grid = four_cells<2>();
@@ -82,7 +82,7 @@ TEST(Lme, ComesNearToHatsAsGammaGrows) {
   EXPECT_LT(lies(4.0), 0.5 * lies(1.5));
 }
 
-/// Nodes leave and enter the stencil where a point changes its cell: with the weight that they would have beyond it.
+/// Nodes leave and enter the stencil when a point changes its cell: with the weight that they would have beyond it.
 TEST(Lme, JumpsLittleWhereNodesEnterTheStencil) {
   const double step = 1e-9;
   for (const double gamma : {1.5, 1.8}) {

@@ -1,4 +1,4 @@
-/// What schemes promise about their functions: what is claimed holds, and what is not claimed does not.
+/// The traits of schemes: what they claim of their functions holds, and what they do not claim does not.
 /// tests/shapefunctions/test_walls.cpp has ends at walls, tests/apps/test_verify.cpp orders, free faces and the error
 /// of a translation, tests/apps/test_edge_balance.cpp pressure on points, and tests/verification/test_end_traction.cpp
 /// domains that fill a body.
@@ -109,7 +109,7 @@ TEST_P(EveryPromise, ToMoveThePointsIsKeptAtTheEndOfAStep) {
   EXPECT_EQ(moves_its_points<3>(GetParam()), scheme<3>(GetParam())->traits().moves_points);
 }
 
-/// Most of what follows is measured in problems of two dimensions alone.
+/// Most of the following is measured only in two-dimensional problems.
 TEST_P(EveryPromise, IsTheSameInTwoAndThreeDimensions) {
   const SchemeTraits in_space = scheme<3>(GetParam())->traits();
   EXPECT_EQ(in_space.order_across_cells, promised_.order_across_cells);

@@ -1,4 +1,4 @@
-/// A block in free flight, and what a build without VTK and CGAL says of what it lacks.
+/// A block in free flight, and the messages of a build without VTK and CGAL.
 #include <riedel/riedel.hpp>
 
 #include <iostream>

@@ -1,4 +1,4 @@
-/// A law that does nothing, for what the solver does.
+/// A law that does nothing, for tests of the solver.
 #pragma once
 
 #include "core/interface/material.hpp"

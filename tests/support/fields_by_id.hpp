@@ -1,4 +1,4 @@
-/// What points carry, whatever their order.
+/// The fields of points, independent of their order.
 #pragma once
 
 #include "core/step/simulation.hpp"

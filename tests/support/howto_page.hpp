@@ -8,7 +8,7 @@
 
 namespace riedel::test {
 
-/// Of a file, by its place in the tree.
+/// The text of a file, by its path in the tree.
 inline std::string text_of(const std::string& path) {
   std::ifstream file(std::string(SOURCE_DIR) + "/" + path);
   std::ostringstream text;
@@ -16,7 +16,7 @@ inline std::string text_of(const std::string& path) {
   return text.str();
 }
 
-/// That the page shows the example as it stands, and that it is shorter than sixty lines.
+/// Checks that the page shows the example unchanged, and that it is shorter than sixty lines.
 inline void expect_page_to_show(const std::string& page, const std::string& example) {
   const std::string shown = text_of(example);
   ASSERT_FALSE(shown.empty());

@@ -26,7 +26,7 @@ inline std::vector<LawCase> every_law() {
   return cases;
 }
 
-/// Points with stress, state and rate of deformation, handed to a law as one batch.
+/// Points with stress, state and rate of deformation, passed to a law as one batch.
 struct LawBench {
   std::shared_ptr<const Material> law;
   Columns stress{6}, rate{6}, state;
@@ -91,7 +91,7 @@ inline void compress_in_triaxial_cell(LawBench& bench, double strain, double lat
     trial.integrate(1.0);
     return trial;
   };
-  double low = -0.5, high = 2.0; // lateral over axial strain: pressed too much, too little
+  double low = -0.5, high = 2.0; // lateral over axial strain: too much compression, too little
   for (int halving = 0; halving < 40; ++halving) {
     const double middle = 0.5 * (low + high);
     (moved(middle).stress_of(0).m[0] < lateral_stress ? low : high) = middle;

@@ -1,4 +1,4 @@
-/// What the catalogue has, by name.
+/// Entries of the catalogue, by name.
 #pragma once
 
 #include "apps/built_in.hpp"
@@ -18,7 +18,7 @@ inline bool law_has(const std::string& law, std::string_view parameter) {
   return std::ranges::any_of(keys, [&](const Key& key) { return key.name == parameter; });
 }
 
-/// Of the laws that run with their defaults: a foreign one needs a library; those in tests/plugin have one.
+/// The laws that run with their defaults: a foreign one needs a library; those in tests/plugin have one.
 inline std::vector<std::string> law_names() {
   std::vector<std::string> names = catalogue().materials.names();
   std::erase_if(names, [](const std::string& name) { return law_has(name, "library"); });
@@ -31,7 +31,7 @@ inline std::vector<std::string> laws_with(std::string_view parameter) {
   return names;
 }
 
-/// The defaults but for what `with` says.
+/// The defaults except for the values in `with`.
 template <class Entry>
 Values values_of(const Entry& entry, const std::map<std::string, Value>& with) {
   Values values(entry.description.parameters);
@@ -63,7 +63,7 @@ inline std::vector<std::string> scheme_names() { return catalogue().in_2d.scheme
 
 inline std::vector<std::string> transfer_names() { return catalogue().in_2d.transfers.names(); }
 
-/// Whether a transfer goes with a scheme.
+/// Whether a transfer can be used with a scheme.
 inline bool goes_with(const std::string& transfer_name, const std::string& scheme_name) {
   return transfer<2>(transfer_name)->traits().spread != TransferTraits::Spread::needed ||
          scheme<2>(scheme_name)->supports_affine();

@@ -16,7 +16,7 @@ inline LawBench one_point(std::shared_ptr<const Material> law, const Sym<double>
   return bench;
 }
 
-/// Applies a strain in so many equal slices.
+/// Applies a strain in a number of equal parts.
 inline Sym<double> strained(LawBench& bench, const Sym<double>& strain, int slices = 1) {
   bench.put(0, bench.stress_of(0), 0.0, (1.0 / slices) * strain);
   for (int i = 0; i < slices; ++i) bench.integrate(1.0);
@@ -28,7 +28,7 @@ inline Sym<double> strained(const std::shared_ptr<const Material>& law, const Sy
   return strained(bench, strain, slices);
 }
 
-/// Turns six columns of a point as the solver does.
+/// Rotates six columns of a point as the solver does.
 inline void turn(Columns& columns, int first, const Mat<3>& Q) {
   Sym<double> a;
   for (int i = 0; i < 6; ++i) a.m[static_cast<std::size_t>(i)] = columns[first + i][0];
@@ -44,7 +44,7 @@ inline void turn(LawBench& bench, const Mat<3>& Q) {
   }
 }
 /// Follows F(s), s from 0 to 1, as the solver does: in each step rotation, then law. With half the rotation before the
-/// law and half after it the splitting is of second order, and what the law itself errs by remains.
+/// law and half after it the splitting is of second order, and the error of the law itself remains.
 /// @return ∫ J σ:D dt [J/m³]
 template <class Path>
 double deformed(LawBench& bench, const Path& F, int steps, bool in_halves = false) {
@@ -76,7 +76,7 @@ inline double compressed_triaxially(LawBench& bench, double axial, double latera
   return strained(bench, diagonal(axial, high, high)).m[0];
 }
 
-/// Greatest first.
+/// Largest first.
 inline Vec<3> principal_stresses(const Sym<double>& sigma) {
   return Eigen::SelfAdjointEigenSolver<Mat<3>>(to_matrix(sigma)).eigenvalues().reverse();
 }
@@ -87,7 +87,7 @@ inline void expect_stress(const Sym<double>& sigma, const Vec<3>& expected, doub
   for (std::size_t i = 3; i < 6; ++i) EXPECT_NEAR(sigma.m[i], 0.0, tolerance);
 }
 
-/// Rank-one increments from stresses on the yield surface: none may be stiffer than the survey says.
+/// Rank-one increments from stresses on the yield surface: none may be stiffer than assessed.
 inline void expect_no_faster_wave(const std::shared_ptr<const Material>& law, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);

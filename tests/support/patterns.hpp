@@ -16,7 +16,7 @@ bool matches_whole(const std::string& text, const std::string& pattern);
 
 std::string replaced(const std::string& text, const std::string& pattern, const std::string& by);
 
-/// @throws nlohmann::json::exception for what is no JSON
+/// @throws nlohmann::json::exception for invalid JSON
 nlohmann::json parsed(const std::string& text);
 
 nlohmann::json json_of(const std::filesystem::path& file);

@@ -10,7 +10,7 @@
 
 namespace riedel::test {
 
-/// Stencils of points that have just been put where they are.
+/// Stencils of points that have just been placed.
 template <int Dim>
 void evaluate_anew(const ShapeFunction<Dim>& scheme, const Grid<Dim>& grid, Points<Dim>& points, Columns& node_data,
                    Stencils<Dim>& stencils) {

@@ -1,4 +1,4 @@
-/// What tests ask of a scheme: what it promises, and how wide its functions are.
+/// Properties of a scheme for tests: its traits, and the width of its functions.
 #pragma once
 
 #include "support/problems.hpp"
@@ -7,7 +7,7 @@ namespace riedel::test {
 
 inline SchemeTraits traits(const std::string& name) { return scheme<2>(name)->traits(); }
 
-/// Names of the registered schemes that promise something, for parameterised suites.
+/// Names of the registered schemes with a trait, for parameterised suites.
 template <class Promise>
 std::vector<std::string> schemes_that(const Promise& promise) {
   std::vector<std::string> names = scheme_names();
@@ -15,13 +15,13 @@ std::vector<std::string> schemes_that(const Promise& promise) {
   return names;
 }
 
-/// Evaluated at the point, with gradients that reach beyond its cell.
+/// Evaluated at the point, with gradients that extend beyond its cell.
 inline bool reaches_without_domain(const SchemeTraits& scheme) {
   return scheme.domain == PointDomain::none && scheme.continuous_gradients;
 }
 
 /// Mean of Σ_i N_ip (x_i − x_p)²/h² along an axis over places in a cell, two points to a cell [-]: 1/6 for hats, 1/4
-/// and 1/3 for quadratic and cubic splines. The wider the functions, the more motion passes from point to point.
+/// and 1/3 for quadratic and cubic splines. The wider the functions, the more motion is exchanged between points.
 inline double width_of(const std::string& name) {
   constexpr Index places = 16;
   const auto shape = scheme<2>(name);

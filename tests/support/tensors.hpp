@@ -29,7 +29,7 @@ inline std::array<Sym<double>, pack_size> unpacked(const Sym<Pack>& all) {
 
 inline Sym<double> diagonal(double a, double b, double c) { return {{a, b, c, 0.0, 0.0, 0.0}}; }
 
-/// A stress state of sand and a rate of deformation, all components at work.
+/// A stress state of sand and a rate of deformation, with all components non-zero.
 inline Sym<double> random_stress(std::mt19937& random, double pressure) {
   std::uniform_real_distribution<double> unit(-0.25, 0.25);
   Sym<double> s = Sym<double>::identity();
@@ -42,7 +42,7 @@ inline Sym<double> random_rate(std::mt19937& random) {
   for (double& component : D.m) component = unit(random);
   return D;
 }
-/// A rotation about a slanted axis.
+/// A rotation about an inclined axis.
 inline Mat<3> slanted_rotation() {
   return (Eigen::AngleAxisd(0.7, Vec<3>(1, 2, -1).normalized()) * Eigen::AngleAxisd(-1.1, Vec<3>(0, 1, 1).normalized()))
       .toRotationMatrix();

@@ -11,7 +11,7 @@ using TransferPointer = std::shared_ptr<const VelocityTransfer<Dim>>;
 
 constexpr double cell = 0.05, soft_density = 1000.0;
 
-/// Points anywhere near a lattice, as soft as asked [Pa], at rest.
+/// Points anywhere near a lattice, with the given stiffness [Pa], at rest.
 template <int Dim>
 State<Dim> scattered_block(Counts<Dim> cells, double stiffness) {
   State<Dim> state =

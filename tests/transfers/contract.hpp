@@ -1,5 +1,5 @@
-/// What every transfer of velocities owes, for those that are registered and for those of plug-ins: in a motion, on any
-/// number of threads, and when points are sorted.
+/// What every transfer of velocities must satisfy, registered or from a plug-in: in a motion, on any number of threads,
+/// and when points are sorted.
 #pragma once
 
 #include "core/state/cell_order.hpp"
@@ -19,7 +19,7 @@ void expect_the_same_bits_on_any_threads(const TransferPointer<Dim>& chosen, con
     for (const int threads : {1, 2, 4}) {
       omp_set_num_threads(threads);
       Counts<Dim> cells = some_cells<Dim>(2);
-      cells[Dim - 1] = 20; // slabs enough to share
+      cells[Dim - 1] = 20; // enough slabs for several threads
       State<Dim> state = scattered_block<Dim>(cells, 1e5);
       shake(state.bodies[0].points);
       Model<Dim> model = model_of<Dim>(scheme_name, chosen, order.step);
@@ -37,7 +37,7 @@ void expect_the_same_bits_on_any_threads(const TransferPointer<Dim>& chosen, con
   omp_set_num_threads(1);
 }
 
-/// What the transfer keeps for a point goes where the point goes.
+/// The data of the transfer for a point move with the point.
 template <int Dim>
 void expect_point_data_to_be_sorted(const TransferPointer<Dim>& chosen, const std::string& scheme_name) {
   State<Dim> state = scattered_block<Dim>(some_cells<Dim>(3), 1e5);

@@ -1,4 +1,4 @@
-/// What every transfer of velocities owes in a motion: momenta, translations, energy.
+/// What every transfer of velocities must satisfy in a motion: momenta, translations, energy.
 #pragma once
 
 #include "transfers/blocks.hpp"
@@ -7,7 +7,7 @@
 
 namespace riedel::test {
 
-/// Σ m_p v_p and, as the entries of a skew tensor, Σ m_p (x_p × v_p + what B_p turns with).
+/// Σ m_p v_p and, as the entries of a skew tensor, Σ m_p (x_p × v_p + the angular momentum of B_p).
 template <int Dim>
 struct Momenta {
   Vec<Dim> linear = Vec<Dim>::Zero();
@@ -27,7 +27,7 @@ Momenta<Dim> momenta_of(const Simulation<Dim>& simulation) {
   return sum;
 }
 
-/// With stress, in the orders that the transfer goes with.
+/// With stress, in the orders that the transfer supports.
 template <int Dim>
 void expect_momenta_to_stay(const TransferPointer<Dim>& chosen, const std::string& scheme_name) {
   const TransferTraits traits = chosen->traits();
@@ -54,7 +54,7 @@ void expect_momenta_to_stay(const TransferPointer<Dim>& chosen, const std::strin
   }
 }
 
-/// A body that flies as one, across cells: velocities, shape and stress stay as they are.
+/// A body in uniform motion across cells: velocities, shape and stress do not change.
 template <int Dim>
 void expect_a_translation_to_stay(const TransferPointer<Dim>& chosen, const std::string& scheme_name) {
   const Vec<Dim> v = Vec<3>(3.0, -2.0, 1.0).head<Dim>();
@@ -82,7 +82,7 @@ void expect_a_translation_to_stay(const TransferPointer<Dim>& chosen, const std:
   }
 }
 
-/// Points that fly apart without forces, each its own way.
+/// Points that separate without forces, each with its own velocity.
 template <int Dim>
 void expect_no_energy_to_be_gained(const TransferPointer<Dim>& chosen, const std::string& scheme_name) {
   for (const StepOrder<Dim>& order : orders_of_step<Dim>) {

@@ -1,5 +1,5 @@
-/// What every registered transfer owes, in two and three dimensions, with schemes of several kinds and in all orders of
-/// the step. Allocations and threads in whole tests are counted in tests/verification.
+/// What every registered transfer must satisfy, in two and three dimensions, with schemes of several kinds and in all
+/// orders of the step. Allocations and threads in whole tests are counted in tests/verification.
 #include "transfers/contract.hpp"
 
 namespace riedel::test {
@@ -9,7 +9,7 @@ class TransferContract : public testing::TestWithParam<std::string> {
 protected:
   void SetUp() override { omp_set_num_threads(1); }
 
-  /// Calls `check(scheme)` for schemes that the transfer goes with.
+  /// Calls `check(scheme)` for schemes that the transfer supports.
   template <class Check>
   static void for_each_scheme(const Check& check) {
     for (const std::string scheme_name : {"gimp", "cpdi", "bspline2"})

@@ -1,4 +1,4 @@
-/// What a transfer says of itself reaches the checks of a simulation and of a case, whatever its name.
+/// The traits of a transfer reach the checks of a simulation and of a case, whatever its name.
 #include "apps/biaxial/keys.hpp"
 #include "apps/biaxial/specimen.hpp"
 #include "core/case/checked_case.hpp"
@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// FLIP that does not go with USL, with a rate and a number of its own.
+/// FLIP that does not support USL, with its own rate and number.
 template <int Dim>
 class Choosy final : public PointwiseTransfer<Dim, Blend<Dim>> {
 public:

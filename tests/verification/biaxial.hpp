@@ -14,7 +14,7 @@ inline BiaxialCase biaxial_values(const std::vector<std::string>& settings) {
   return BiaxialCase(biaxial_case(file, catalogue()).values);
 }
 
-/// The same on a quarter of the default's cells; `more` has the last word.
+/// The same on a quarter of the default's cells; `more` takes precedence.
 inline BiaxialCase coarse_values(const std::vector<std::string>& more = {}) {
   std::vector<std::string> settings{"grid.cells=[12, 42]", "nonlocal.length=3.4e-3"};
   settings.insert(settings.end(), more.begin(), more.end());

@@ -1,5 +1,4 @@
-/// A step takes nothing from the heap. The operators below serve this whole program and count only while they are told
-/// to.
+/// A step allocates nothing on the heap. The operators below serve this whole program and count only on request.
 #include "verification/biaxial.hpp"
 
 #include <atomic>
@@ -38,7 +37,7 @@ void* take(std::size_t size, std::size_t alignment) {
 namespace riedel::test {
 namespace {
 
-/// Allocations in 100 steps, after some that may still grow working space.
+/// Allocations in 100 steps, after some that may still enlarge working space.
 template <int Dim>
 long allocations_in_steps(Simulation<Dim>& simulation) {
   allocations = 0;

@@ -1,12 +1,10 @@
-/// An elastic column under its own weight, relaxed to rest between rollers: σ_yy = −ρ g (H − Y), with Y the height at
-/// the start, holds at any strain because the width stays as it is. The errors' order of convergence is told for each
-/// scheme.
+/// An elastic column under its own weight, relaxed to rest between rollers: σ_yy = −ρ g (H − Y), with Y the initial
+/// height, holds at any strain because the width is constant. The order of convergence is tested for each scheme.
 ///
 /// At small strain the stress is the same in all points of a cell. With two points per cell they miss the linear course
-/// by ± ρ g h/4, which is an error of √3/4 h/H and order one; one point in the middle misses nothing. Yet with one
-/// point per cell nodes may bear forces that cancel at every point, so that rest is not unique: the further the points
-/// have moved, the more the stress at rest depends on the way there. Hence no order is asked for with one point at
-/// large strain.
+/// by ± ρ g h/4, which is an error of √3/4 h/H and order one; one point in the middle is exact. Yet with one point per
+/// cell nodes may bear forces that cancel at every point, so that rest is not unique: the further the points have
+/// moved, the more the stress at rest depends on the path. Hence no order is required with one point at large strain.
 #include "core/analysis/error_norm.hpp"
 #include "core/run/relax.hpp"
 #include "support/schemes.hpp"
@@ -45,7 +43,8 @@ double error(const std::string& scheme_name, Index cells, Index per_cell, double
   for (Index p = 0; p < points.size(); ++p)
     exact[static_cast<std::size_t>(points.id[static_cast<std::size_t>(p)])] =
         -density * gravity * (height - points.position[1][p]);
-  // Wide functions come to rest slowly; the motion left moves the stress by less than 3e-4, the root of its share.
+  // Wide functions come to rest slowly; the remaining motion changes the stress by less than 3e-4, the root of its
+  // share.
   const bool slow = reaches_without_domain(traits(scheme_name));
   const double moving = relax(simulation, (slow ? 200 : 100) * cells, Run<2>(simulation));
   EXPECT_LT(moving, slow ? 5e-8 : 1e-8) << "the column is not at rest";
@@ -99,8 +98,8 @@ TEST_P(ColumnTest, CarriesItsWeightWithFirstOrderAtSmallStrain) {
   EXPECT_GT(two.order(), 0.98);
   EXPECT_LT(two.errors[0], 1.02 * std::sqrt(3.0) / 32.0);
   const Convergence one = refine(GetParam(), 1, 1e-3);
-  // Gradients that reach beyond a cell see nodes at the free end which the material hardly fills. Those of quadratic
-  // splines in the middle of a cell do not.
+  // Gradients that extend beyond a cell involve nodes at the free end which the material hardly fills. Those of
+  // quadratic splines in the middle of a cell do not.
   if (reaches_without_domain(promised_) && !slopes_as_hats_in_the_middle(GetParam())) {
     EXPECT_GT(one.order(), 1.1);
     EXPECT_LT(one.errors[0], 0.02);
@@ -112,12 +111,12 @@ TEST_P(ColumnTest, CarriesItsWeightWithFirstOrderAtSmallStrain) {
 /// The upper points settle by 0.08, 0.16 and 0.32 cells.
 TEST_P(ColumnTest, ConvergesWhilePointsMoveWithinTheirCells) {
   const Convergence one = refine(GetParam(), 1, 0.02), two = refine(GetParam(), 2, 0.02);
-  if (!promised_.continuous_gradients) { // nor do weights see new lengths: an error that no refinement takes away
+  if (!promised_.continuous_gradients) { // nor do weights follow new lengths: an error that no refinement removes
     for (const double error : one.errors) EXPECT_NEAR(error, 0.78 * 0.02, 0.02 * 0.02);
     EXPECT_GT(two.errors[2], two.errors[1]);
     return;
   }
-  if (reaches_without_domain(promised_)) { // they do not see lengths, either, but smooth what they miss
+  if (reaches_without_domain(promised_)) { // they do not follow lengths either, but smooth the error
     EXPECT_LT(one.errors[0], 0.025);
     EXPECT_GT(one.order(), 0.35);
     EXPECT_GT(two.order(), 1.1);
@@ -138,7 +137,7 @@ TEST_P(ColumnTest, ConvergesWhilePointsCrossCellsIfItsDomainsFollowTheStretch) {
   } else if (promised_.domain == PointDomain::fixed) { // domains overlap, by the strain
     EXPECT_GT(two.order(), 0.7);
     EXPECT_LT(two.errors[2], 0.02);
-  } else if (reaches_without_domain(promised_)) { // a tenth of the hats' error stays, that of sums over points
+  } else if (reaches_without_domain(promised_)) { // a tenth of the hats' error remains, that of sums over points
     EXPECT_LT(two.errors[2], 0.015);
   } else {
     EXPECT_GT(two.order(), 1.1);

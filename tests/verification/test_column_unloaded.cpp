@@ -1,7 +1,7 @@
-/// A column of sand between rollers, one cell wide, that a platen compresses, unloads until its grains part, and
-/// compresses again. A point driver of the same law gives the curve; a column lying on its side, the same result.
+/// A column of sand between rollers, one cell wide, that a platen compresses, unloads until its grains separate, and
+/// compresses again. A point driver of the same law gives the curve; a horizontal column gives the same result.
 ///
-/// Points that are apart fly freely. With PIC they keep the platen's affine motion, and meet as they parted; under FLIP
+/// Separated points fly freely. With PIC they keep the platen's affine motion, and meet as they separated; under FLIP
 /// they rattle, which compacts the sand, so that the second curve lies below that of the point.
 #include "materials/element/point_driver.hpp"
 #include "support/problems.hpp"
@@ -18,7 +18,7 @@ constexpr double cell = 0.01, void_ratio = 0.6, pressure = 1e3;
 constexpr Index cells = 4, per_cell = 2, margin = 4;
 constexpr double height = cells * cell;
 
-/// The platen's way, downwards and relative to the height: each stage starts and ends at rest.
+/// Displacement of the platen, downwards and relative to the height: each stage starts and ends at rest.
 constexpr std::array<double, 3> stages{0.004, -0.004, 0.004};
 constexpr double duration = 0.1; ///< of a stage [s]
 
@@ -88,13 +88,13 @@ struct Outcome {
   std::vector<Moment> moments;
   std::array<std::size_t, 3> stage_ends{}; ///< moments at which stages have ended
   double max_gap = 0.0, max_distance = 0;  ///< in void ratio at contact, against that at separation; share of points
-  double stress_apart = 0.0;               ///< greatest norm of a separated point's stress [Pa]
-  double stress_at_rest = 0.0;             ///< greatest norm at the end of the second stage [Pa]
-  double kinetic = 0.0, balance = 0.0;     ///< greatest energies, over the greatest internal one
+  double stress_apart = 0.0;               ///< largest norm of a separated point's stress [Pa]
+  double stress_at_rest = 0.0;             ///< largest norm at the end of the second stage [Pa]
+  double kinetic = 0.0, balance = 0.0;     ///< maximum energies, over the maximum internal one
   bool finite = true;
 };
 
-/// Looks at each point after each step: has it lost contact, or regained it?
+/// Checks after each step whether a point has lost or regained contact.
 class Contacts {
 public:
   explicit Contacts(Index points) : gap_(points), parted_at_(points) {}
@@ -181,7 +181,7 @@ double at(const std::vector<Moment>& curve, double strain) {
   return std::lerp(curve[i - 1].axial, curve[i].axial, t);
 }
 
-/// Greatest difference on a stage of compression, over the stress at its end.
+/// Largest difference in a stage of compression, over the stress at its end.
 double farthest(const Outcome& run, std::size_t stage, const std::vector<Moment>& curve) {
   double maximum = 0.0;
   for (std::size_t i = stage ? run.stage_ends[stage - 1] : 0; i < run.stage_ends[stage]; ++i)

@@ -101,9 +101,9 @@ Course collide(const std::string& scheme_name, const Order& order, double flip) 
 class ConservationTest : public testing::TestWithParam<std::string> {
 protected:
   void SetUp() override { omp_set_num_threads(1); } // too small to share
-  /// Points outside the mesh of hats give USL slivers of mass with wild accelerations, which is what MUSL is for.
+  /// Points outside the mesh of hats give USL very small nodal masses with large accelerations, which MUSL avoids.
   static bool unstable_in_usl() { return !traits(GetParam()).continuous_gradients; }
-  /// What USL, or a share of PIC, leaves of the energy: the wider the functions, the more motion passes through them.
+  /// The energy that remains with USL, or with a share of PIC: the wider the functions, the larger the loss.
   static double kept() { return is_very_wide(GetParam()) ? 0.55 : is_wide(GetParam()) ? 0.75 : 0.8; }
 };
 
@@ -152,7 +152,7 @@ TEST_P(ConservationTest, GainsNoEnergyOverACollisionWithAShareOfPic) {
   }
 }
 
-/// Platen, confining pressure and weight do work on an elastic specimen; it is stored or set in motion.
+/// Platen, confining pressure and weight do work on an elastic specimen; it becomes stored or kinetic energy.
 TEST_P(ConservationTest, BalancesTheWorkOnASpecimenCompressedBetweenPlatens) {
   const BiaxialCase values =
       coarse_values({"scheme=" + GetParam(), "material.model=linear_elastic", "nonlocal.length=0", "time.flip=1.0",
@@ -167,7 +167,7 @@ TEST_P(ConservationTest, BalancesTheWorkOnASpecimenCompressedBetweenPlatens) {
   EXPECT_LT(std::abs(e.unaccounted), 2.0 * std::abs(last_step)) << "that of one stress, not yet felt by the nodes";
 }
 
-/// Sand softens in a band, the step damps, points lose what nodes do not give back: all of it has a place.
+/// Sand softens in a band, the step damps, and nodes do not return all energy to points: all of it is accounted for.
 void expect_an_account_of_all_work(const std::vector<std::string>& settings, const std::string& called) {
   std::vector<std::string> all{"loading.speed=0.5", "loading.ramp_time=1e-3", "loading.gravity=100.0"};
   all.insert(all.end(), settings.begin(), settings.end());

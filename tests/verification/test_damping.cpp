@@ -1,4 +1,4 @@
-/// The rate at which a biaxial test damps by itself.
+/// The default damping rate of a biaxial test.
 #include "transfers/flip.hpp"
 #include "verification/biaxial.hpp"
 

@@ -39,7 +39,7 @@ Columns3 columns(const ElementCurve& curve) {
   return all;
 }
 
-/// The same curve, over the whole test; an oedometer has no angle to reach, so that σ_1 counts there.
+/// The same curve, over the whole test; an oedometer has no limiting angle, so that σ_1 is compared there.
 void expect_same(const std::string& test, Settings settings, const Settings& of_specimen) {
   const Columns3 point = columns(carry_out(test, "point", settings));
   settings.insert(settings.end(), of_specimen.begin(), of_specimen.end());

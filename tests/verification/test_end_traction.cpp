@@ -12,8 +12,8 @@ namespace {
 
 constexpr double h = 0.1, traction = 2e3;
 
-/// A bar along x from `start` on, six cells long, under the uniform stress that the tractions on its ends ask for, and
-/// free at its sides, which carry nothing. @return the greatest nodal force over traction and cell
+/// A bar along x from `start` on, six cells long, under the uniform stress that balances the tractions on its ends, and
+/// free at its sides. @return the largest nodal force over traction and cell
 double imbalance(const std::string& scheme_name, double start) {
   State<2> state = elastic_state<2>({6, 3}, h, 2, 4, [](const Vec<2>&) { return true; });
   Points<2>& points = state.bodies[0].points;

@@ -1,6 +1,5 @@
-/// One cell of sand in plane strain compression through the whole machinery, against curves of independent programs.
-/// The cell holds four points: a single one hands the same velocity to every node, so that its stretching has no
-/// inertia.
+/// One cell of sand in plane strain compression with complete steps, against curves of independent programs. The cell
+/// holds four points: a single one gives every node the same velocity, so that its stretching has no inertia.
 #include "apps/biaxial/keys.hpp"
 #include "apps/biaxial/specimen.hpp"
 #include "support/csv.hpp"
@@ -54,7 +53,7 @@ Curve compress_one_cell(const std::string& scheme_name, const std::string& order
 }
 
 /// Past that, domains that reach beyond the bulging cell's edge lose homogeneity under MUSL (0.15° at 6 % for cpgimp).
-/// Greatest differences from the reference between 0.1 % and 5 %.
+/// Largest differences from the reference between 0.1 % and 5 %.
 void follow(const std::string& scheme_name, const std::string& order, double e_0, const std::string& file,
             const std::string& locking = "none") {
   const Curve curve = compress_one_cell(scheme_name, order, e_0, locking);
@@ -83,7 +82,7 @@ TEST_P(OneCell, FollowsTheReferenceInEveryOrderOfTheStep) {
   for (const std::string order : {"usl", "usf"})
     follow(GetParam(), order, 0.55, "gudehus_bauer_planestrain_e0.55_p50kPa.csv");
 }
-/// Not in USL: the wild strains of its nearly empty nodes reach all points of a cell through the mean (12° to 29°).
+/// Not in USL: the large strains from its nearly empty nodes reach all points of a cell through the mean (12° to 29°).
 TEST_P(OneCell, FollowsTheReferenceWithFBar) {
   for (const std::string order : {"musl", "usf"})
     follow(GetParam(), order, 0.55, "gudehus_bauer_planestrain_e0.55_p50kPa.csv", "f_bar");

@@ -38,7 +38,7 @@ private:
   GudehusBauer sand_;
 };
 
-/// Greatest differences along a path, and what it took.
+/// Largest differences along a path, and its cost.
 struct Errors {
   double angle = 0.0, stress = 0.0, void_ratio = 0.0; ///< [deg], relative, absolute
   std::int64_t evaluations = 0;
@@ -81,7 +81,7 @@ protected:
     errors.evaluations = counted_.count;
     return errors;
   }
-  /// So many equal steps for each increment. @param step from point, rate there, time and rate at any other point
+  /// A number of equal steps for each increment. @param step from point, rate there, time and rate at any other point
   template <class Step>
   Method in_steps(int steps, const Step& step) const {
     return [this, steps, step](SandPoint point, const Sym<double>& D) {
@@ -90,7 +90,7 @@ protected:
       return point;
     };
   }
-  /// As laws are integrated in a run. The counts are left in `bench`.
+  /// As laws are integrated in a run. The counts remain in `bench`.
   static Method as_in_runs(LawBench& bench) {
     return [&bench](const SandPoint& point, const Sym<double>& D) {
       bench.put(0, point.stress, point.state[0], D);
@@ -109,7 +109,7 @@ protected:
     errors.report = bench.report;
     return errors;
   }
-  /// The answer along the chords themselves: 200 steps of order 3 for each.
+  /// The solution along the chords themselves: 200 steps of order 3 for each.
   std::vector<SandPoint> along_chords(double size) {
     std::vector<SandPoint> points{path().front().point};
     const Method exact = in_steps(200, bogacki);
@@ -144,7 +144,7 @@ void print(const char* method, double size, const Errors& e) {
               static_cast<int>(e.evaluations));
 }
 
-/// Row of the reference, which calls the columns otherwise than C++ would.
+/// Row of the reference, whose columns are named differently.
 struct Reference {
   double angle, stress;
 };
@@ -160,7 +160,7 @@ Reference reference_row(const std::string& method, double size) {
   throw std::runtime_error("no row for " + method);
 }
 
-/// The chords of a path of increments are an error of second order by themselves; the least one that any method leaves.
+/// The chords of a path of increments are an error of second order by themselves, the smallest of any method.
 TEST_F(IntegratorErrors, OfSingleStepsAreThoseOfTheReference) {
   std::printf("| %-22s | size  | angle deg | stress    | e       | rates  |\n", "method");
   const auto exact_at = [](double size) { return [size](int i) { return place(size, i).point; }; };
@@ -194,7 +194,7 @@ TEST_F(IntegratorErrors, OfSingleStepsAreThoseOfTheReference) {
     }
 }
 
-/// Errors against the exact answer along the chords, where straight increments are no error.
+/// Errors against the exact solution along the chords, where straight increments are no error.
 TEST_F(IntegratorErrors, FallWithTheOrderOfTheMethod) {
   constexpr double size = 1e-3;
   const std::vector<SandPoint> exact = along_chords(size);

@@ -33,7 +33,7 @@ State<Dim> shaken_grid(const Model<Dim>& model, std::mt19937& random) {
   return state;
 }
 
-/// Number of the cell that holds x, by itself.
+/// Number of the cell that contains x, computed independently.
 template <int Dim>
 Index cell_of(const Grid<Dim>& grid, const Vec<Dim>& x) {
   Counts<Dim> index{};
@@ -86,7 +86,7 @@ constexpr double youngs_modulus = 1e6, height = 1.0, width = 4.0; // Pa, m/s, m
 /// A strip of rubber, four times as wide as high, between two rough plates.
 struct Strip {
   double modulus = 0.0; ///< mean stress of the plate over E ε, ε the strain of the strip [-]
-  double scatter = 0.0; ///< root mean square of what pressures differ from the mean of their cell, over E ε [-]
+  double scatter = 0.0; ///< root mean square deviation of pressures from the mean of their cell, over E ε [-]
 };
 
 /// From mixed finite elements of an independent program (biquadratic velocities, linear pressures in each element, 128
@@ -112,7 +112,7 @@ double scatter_in_cells(const State<2>& state) {
   return std::sqrt(sum / points.size());
 }
 
-/// Compressed by 1e-4, so slowly that the strip is in equilibrium, and so little that grid and points stay as they are.
+/// Compressed by 1e-4, so slowly that the strip is in equilibrium, and so little that points hardly move in the grid.
 Strip squeeze(const std::string& scheme_name, StepFunction<2> step, Locking locking, double poissons_ratio,
               Index cells) {
   const double h = height / cells, strain = 1e-4;
@@ -154,8 +154,8 @@ constexpr std::array<std::pair<const char*, StepFunction<2>>, 3> orders{
 class LockingTest : public testing::TestWithParam<std::string> {
 protected:
   void SetUp() override { omp_set_num_threads(1); } // too small to share
-  /// Gradients that are averages over neighbouring cells: such a scheme locks less by itself, and with F-bar it is too
-  /// soft.
+  /// Gradients that are averages over neighbouring cells: such a scheme locks less even without F-bar, and with it is
+  /// too soft.
   static bool locks() { return scheme<2>(GetParam())->gradients_follow_weights(); }
   static void print(const char* order, int cells, const Strip& locked, const Strip& freed) {
     std::printf("%-8s %s %d cells: modulus %7.3f without, %6.3f with F-bar; scatter %8.4f, %.1e\n", GetParam().c_str(),

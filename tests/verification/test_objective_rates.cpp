@@ -1,5 +1,6 @@
-/// Jaumann's rate and that of Green and Naghdi: where they agree, a rigid rotation, and where closed forms tell them
-/// apart, simple shear of a hypo-elastic material. Motions are prescribed and pass through the solver's stress update.
+/// Jaumann's rate and that of Green and Naghdi: in a rigid rotation, where they agree, and in simple shear of a
+/// hypo-elastic material, where closed forms differ. Motions are prescribed and pass through the solver's stress
+/// update.
 #include "core/step/rotation.hpp"
 #include "core/step/stress_update.hpp"
 #include "support/carrier.hpp"
@@ -13,7 +14,7 @@
 namespace riedel::test {
 namespace {
 
-/// Points that all move alike.
+/// Points that all have the same motion.
 template <int Dim>
 class Motion {
 public:
@@ -31,7 +32,7 @@ public:
   }
   Points<Dim>& points() { return state.bodies[0].points; }
 
-  /// One step in which F becomes `F`: L is what (I + Δt L) F_n = F asks for.
+  /// One step in which F becomes `F`: L follows from (I + Δt L) F_n = F.
   void move_to(const Mat<Dim>& F) {
     const Mat<Dim> L = F * F_.inverse() - Mat<Dim>::Identity(); // Δt = 1
     for (int c = 0; c < Dim * Dim; ++c) {
@@ -52,8 +53,8 @@ Sym<double> tensor(const Columns& field, int first, Index p) {
   return s;
 }
 
-/// A stretched body turns by 20 times 17°: as R U with the same U. Green and Naghdi's rate sees R alone, whatever the
-/// step.
+/// A stretched body rotates by 20 times 17°: as R U with the same U. Green and Naghdi's rate depends on R alone, for
+/// any step size.
 template <int Dim>
 void turns_exactly() {
   const Vec<3> axis = Dim == 2 ? Vec<3>(0, 0, 1) : Vec<3>(2, -1, 3).normalized();
@@ -94,16 +95,16 @@ TEST(GreenNaghdiRate, TurnsTheStressOfAStretchedBodyExactlyHoweverLargeTheStep) 
 struct Shear {
   double along, across; ///< σ_11 = −σ_22 and σ_12, over μ
 };
-/// σ̇ = 2μ D + Wσ − σW turns about a steady axis: a circle.
+/// σ̇ = 2μ D + Wσ − σW rotates about a fixed axis: a circle.
 Shear jaumann(double gamma) { return {1.0 - std::cos(gamma), std::sin(gamma)}; }
-/// With tan β = γ/2 the stress in the frame of R is 4μ [ln cos β, β − ½ tan β], turned back by β.
+/// With tan β = γ/2 the stress in the frame of R is 4μ [ln cos β, β − ½ tan β], rotated back by β.
 Shear green_naghdi(double gamma) {
   const double beta = std::atan(0.5 * gamma), x = 2.0 * std::log(std::cos(beta)), y = 2.0 * beta - std::tan(beta);
   const double c = std::cos(2.0 * beta), s = std::sin(2.0 * beta);
   return {2.0 * (c * x + s * y), 2.0 * (c * y - s * x)};
 }
 
-/// Simple shear to γ = 6 of Hooke's law in rates. @return the greatest error of the stress on the way, over μ
+/// Simple shear to γ = 6 of Hooke's law in rates. @return the largest error of the stress along the path, over μ
 template <int Dim>
 double error_in_simple_shear(ObjectiveRate objective, Shear (*exact)(double gamma), int steps) {
   constexpr double E = 2.6e6, nu = 0.3, mu = E / (2.0 * (1.0 + nu));

@@ -1,5 +1,5 @@
-/// A block in rigid rotation: its stress turns with it, component by component, and nothing else changes. The rotation
-/// is prescribed by L = W in every point and passes through the solver's stress update.
+/// A block in rigid rotation: its stress rotates with it, component by component, and nothing else changes. The
+/// rotation is prescribed by L = W in every point and passes through the solver's stress update.
 #include "core/step/rotation.hpp"
 #include "core/step/stress_update.hpp"
 #include "support/carrier.hpp"
@@ -19,7 +19,7 @@ Mat<3> spin() {
   return W;
 }
 
-/// Points of different stress that turn by about 80°.
+/// Points of different stress that rotate by about 80°.
 template <int Dim>
 struct TurningBlock {
   static constexpr Index size = 301; // two blocks, the last pack not full
@@ -75,7 +75,7 @@ Sym<double> tensor(const Columns& field, int first, Index p) {
   return s;
 }
 
-/// Tensors turn, scalars do not.
+/// Tensors rotate, scalars do not.
 template <int Dim>
 void expect_turned_state(const TurningBlock<Dim>& block, const Points<Dim>& before, Index p) {
   const Body<Dim>& body = block.state.bodies[0];

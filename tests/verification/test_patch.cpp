@@ -1,4 +1,4 @@
-/// Patch tests through the machinery of a step: a linear velocity field gives its exact gradient, and a body in uniform
+/// Patch tests through a whole step: a linear velocity field gives its exact gradient, and a body in uniform
 /// translation stays free of strain and stress while it crosses cells.
 #include "apps/verify/patch.hpp"
 #include "core/step/grid_to_points.hpp"
@@ -31,7 +31,7 @@ Mat<Dim> random_matrix(std::mt19937& random, double size) {
   return m;
 }
 
-/// A body whose points lie off the lattice and are deformed already, each in its own way.
+/// A body whose points lie off the lattice and are already deformed, each differently.
 template <int Dim>
 State<Dim> disordered_body(std::mt19937& random) {
   State<Dim> state = elastic_state<Dim>(cube<Dim>(4), 0.5, 2, 5, [](const Vec<Dim>&) { return true; });

@@ -49,7 +49,7 @@ double farthest(const Angles& a, const Angles& b) {
 class PlatenTest : public testing::TestWithParam<std::string> {
 protected:
   void SetUp() override { omp_set_num_threads(1); } // too small to share
-  /// Whether the pressure on points, which is spread by hats, balances what a stress under the scheme does at an edge.
+  /// Whether the pressure on points, which is distributed by hats, balances the scheme's forces of a stress at an edge.
   static bool loads_edges_by_hats() {
     BiaxialCase values = coarse_values({"scheme=" + GetParam()});
     values.loading.lateral = BiaxialCase::Lateral::points;
@@ -91,8 +91,8 @@ TEST_P(PlatenTest, WithPressureOnALayerOfPointsGivesTheAngleOfTheVirtualStress) 
   EXPECT_LT(farthest(compress(GetParam(), "rigid_points", "points"), usual), 3.0);
 }
 
-/// Hardly driven at all, a specimen that starts in equilibrium stays where it is; letting go of the whole pressure
-/// would set its surface in motion with p/(ρ c) = 0.15 m/s.
+/// Hardly driven at all, a specimen that starts in equilibrium does not move; without the whole pressure its surface
+/// would move with p/(ρ c) = 0.15 m/s.
 TEST_P(PlatenTest, StartsInEquilibriumWithEveryKindOfBoundary) {
   for (const std::string platen : {"moving_grid", "rigid_points"})
     for (const std::string lateral : {"virtual_stress", "points"}) {

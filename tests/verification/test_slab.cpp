@@ -31,7 +31,7 @@ std::vector<double> curve(std::vector<std::string> settings) {
   return angles;
 }
 
-/// ShortVector cells, fast, and over soon after the peak; `more` has the last word.
+/// Few cells, fast, and ended soon after the peak; `more` takes precedence.
 std::vector<std::string> short_case(const std::string& scheme_name, const std::vector<std::string>& more = {}) {
   std::vector<std::string> settings{"scheme=" + scheme_name, "grid.cells=[8, 28]",     "nonlocal.length=5e-3",
                                     "loading.speed=0.4",     "loading.ramp_time=2e-3", "loading.final_strain=0.02"};

@@ -1,5 +1,5 @@
-/// The stress filter: what the nodes see stays to the bit of a rounding error, what they do not see fades at the rate
-/// that was asked for. See docs/theory/stress_filter.md.
+/// The stress filter: what the nodes resolve is kept up to rounding errors, the rest decays at the given rate. See
+/// docs/theory/stress_filter.md.
 #include "apps/biaxial/band.hpp"
 #include "apps/biaxial/record.hpp"
 #include "apps/element/drivers.hpp"
@@ -71,8 +71,7 @@ TEST_P(StressFilterTest, LeavesALinearFieldAsItIsUpToTheEdges) {
   expect_linear_fields_to_stay<3>(GetParam());
 }
 
-/// One point in a cell, in its middle, signs like those of a chess-board: every node sees as much of one as of the
-/// other.
+/// One point per cell, in its centre, with alternating signs as on a chess-board: at every node they cancel.
 TEST_P(StressFilterTest, LetsFadeWhatAlternatesFromPointToPointAtItsRate) {
   State<2> state = elastic_state<2>(
       {24, 24}, h, 1, 5, [](const Vec<2>&) { return true; }, soft);
@@ -93,7 +92,7 @@ TEST_P(StressFilterTest, LetsFadeWhatAlternatesFromPointToPointAtItsRate) {
   Index p = 0;
   while ((points.position_of(p) - middle).norm() > 0.5 * h) ++p;
   EXPECT_NEAR(points.expansion[0][p], -filter.volume_rate * 1e-3 * sign(points.position_of(p)),
-              2e-3 * 1e-2); // volumes are weights, too
+              2e-3 * 1e-2); // volumes are weights as well
   for (int i = 1; i < times; ++i) filter_stresses(simulation.state(), simulation.model(), dt);
   const double left = std::exp(-filter.stress_rate * filter.steps_between * dt * times);
   for (int c = 0; c < 6; ++c)
@@ -127,7 +126,8 @@ double product(const Body<Dim>& body, const FieldRows& a, const FieldRows& b) {
   return sum;
 }
 
-/// ⟨b, r a⟩ = ⟨r b, a⟩ and 0 ≤ ⟨a, r a⟩ ≤ ⟨a, a⟩ in Σ V a b: so no filtering adds to Σ V σ², whatever the places.
+/// ⟨b, r a⟩ = ⟨r b, a⟩ and 0 ≤ ⟨a, r a⟩ ≤ ⟨a, a⟩ in Σ V a b: so filtering never increases Σ V σ², whatever the
+/// positions.
 template <int Dim>
 void expect_a_self_adjoint_contraction(const std::string& name) {
   Simulation<Dim> simulation = shaken<Dim>(name, few_cells<Dim>());
@@ -171,7 +171,7 @@ TEST_P(StressFilterTest, GivesNoStressToPointsThatCarryNone) {
     for (int c = 0; c < 6 && points.position[0][p] < h; ++c) EXPECT_EQ(points.stress[c][p], 0.0);
 }
 
-/// In every order and transfer: a block that vibrates keeps its momentum, and its run is finite and lively.
+/// In every order and transfer: a vibrating block keeps its momentum, stays finite and keeps moving.
 TEST_P(StressFilterTest, KeepsMomentumInEveryOrderAndTransfer) {
   for (const Transfer& chosen : {flip, apic, tpic, xpic2})
     for (const StepOrder<2>& order : orders_of_step<2>) {

@@ -12,7 +12,7 @@
 namespace riedel::test {
 namespace {
 
-/// All fields of all points, by id, and what the run tells of forces and energies.
+/// All fields of all points, by id, and the run's forces and energies.
 template <int Dim>
 std::vector<double> everything(Simulation<Dim>& simulation) {
   std::vector<double> all = fields_by_id(simulation);
@@ -52,7 +52,7 @@ TEST(Threads, ChangeNoBitOfTheBiaxialTestWithEitherSearch) {
           << search << ", " << threads << " threads";
 }
 
-/// As a run does that looks for the number that is fastest.
+/// As in a run that searches for the fastest number.
 TEST(Threads, ChangeNoBitWhenTheirNumberChangesFromStepToStep) {
   const std::vector<double> alone = after_steps(lively({}), 1, 300);
   Simulation<2> simulation = make_biaxial(lively({}), catalogue());
@@ -135,7 +135,7 @@ TEST(Threads, ChangeNoBitWithFBar) {
   }
 }
 
-/// A tall elastic block, wrung and stretched at the start.
+/// A tall elastic block, twisted and stretched at the start.
 std::vector<double> wrung_block(const std::string& scheme_name, int threads, const std::string& chosen = "flip",
                                 Locking locking = Locking::none) {
   omp_set_num_threads(threads);

@@ -31,7 +31,7 @@ Eigen::MatrixXd velocities(const State<Dim>& state) {
   return V;
 }
 
-/// Steps without forces: there is no stress, and what little comes up in this time has no strength.
+/// Steps without forces: the stress is zero, and remains negligible in this time.
 template <int Dim>
 Model<Dim> without_forces(Model<Dim> model) {
   model.fixed_time_step = 1e-9;

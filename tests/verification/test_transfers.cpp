@@ -16,7 +16,7 @@ Vec<Dim> momentum(const State<Dim>& state) {
   return sum;
 }
 
-/// Σ m_p (x_p × v_p + what B_p turns with).
+/// Σ m_p (x_p × v_p + the angular momentum of B_p).
 double angular_momentum(const State<2>& state, const VelocityTransfer<2>& transfer) {
   double sum = 0.0;
   const Points<2>& points = state.bodies[0].points;
@@ -63,7 +63,7 @@ State<2> spinning_disc(double omega, double stiffness) {
   return state;
 }
 
-/// Over those at the start.
+/// Relative to those at the start.
 struct Spin {
   double angular_momentum = 1.0, worst_error = 0.0, energy = 1.0;
 };
@@ -85,7 +85,8 @@ Spin spin(const std::string& scheme, const Transfer& chosen, StepFunction<2> ste
   return result;
 }
 
-/// Forces turn nothing, since Σ_i x_i ⊗ ∇N_ip = I, and what Σ_i N_ip (x_i − x_p) × v_i turns with is kept in B_p.
+/// Forces have no moment, since Σ_i x_i ⊗ ∇N_ip = I, and the angular momentum Σ_i N_ip (x_i − x_p) × v_i is kept in
+/// B_p.
 TEST_P(TransferTest, ApicKeepsTheAngularMomentumOfADiscWithStressAndWithout) {
   if (!offers(apic)) GTEST_SKIP() << "apic is not offered";
   for (const StepOrder<2>& order : orders_of_step<2>) {
@@ -121,7 +122,7 @@ TEST_P(TransferTest, OnlyApicKeepsTheAngularMomentumAndNoTransferGainsEnergyInAD
   }
 }
 
-/// A bar of 16 cells, held at its left end, that swings in its first mode.
+/// A bar of 16 cells, fixed at its left end, that vibrates in its first mode.
 double energy_of_bar(const std::string& scheme, const Transfer& chosen, StepFunction<2> step, double periods) {
   const double length = 16 * h, c = std::sqrt(1e6 / density);
   State<2> state = elastic_state<2>({16, 1}, h, 2, 3, [](const Vec<2>&) { return true; },

@@ -1,5 +1,5 @@
-/// The lateral pressure as a virtual stress: a body under the pressure that surrounds it rests, whatever its shape, and
-/// a specimen that is compressed keeps that pressure sideways.
+/// The lateral pressure as a virtual stress: a body under the surrounding pressure is at rest, whatever its shape, and
+/// a specimen that is compressed keeps that lateral pressure.
 #include "support/schemes.hpp"
 #include "verification/biaxial.hpp"
 
@@ -56,7 +56,7 @@ TEST_P(VirtualStressTest, HoldsABodyOfAnyShapeAtRestWithTheExactPressureInEveryP
   }
 }
 
-/// Pressed by p, an elastic disc shrinks until its mean stress has come to −p (plane strain, small strain).
+/// Under p, an elastic disc shrinks until its mean stress is −p (plane strain, small strain).
 TEST_P(VirtualStressTest, PressesABodyThatStartsWithoutStressUntilItBearsThePressure) {
   Simulation<2> simulation = surrounded(GetParam(), in_disc, 0.0);
   simulation.step();
@@ -89,7 +89,7 @@ TEST_P(VirtualStressTest, LetsABodyOfHigherPressureExpand) {
   EXPECT_GT(after, before);
 }
 
-/// A homogeneous elastic specimen; the platen starts so gently that hardly a wave is left.
+/// A homogeneous elastic specimen; the platen starts so slowly that waves are negligible.
 TEST_P(VirtualStressTest, KeepsThePressureSidewaysInEveryPointOfASpecimenThatIsCompressed) {
   const BiaxialCase values = biaxial_values(
       {"scheme=" + GetParam(), "material.model=linear_elastic", "loading.gravity=0.0", "grid.cells=[8, 12]",
@@ -104,7 +104,7 @@ TEST_P(VirtualStressTest, KeepsThePressureSidewaysInEveryPointOfASpecimenThatIsC
   }
   std::printf("%s: axial stress %.1f Pa, σ_xx off −p by at most %.2e p\n", GetParam().c_str(), axial, farthest);
   EXPECT_LT(axial, -2.0 * pressure);
-  // Under very wide functions more of the mass is at the edges, and what waves there are last longer.
+  // Under very wide functions more of the mass is at the edges, and waves last longer.
   EXPECT_LT(farthest, is_very_wide(GetParam()) ? 5e-3 : 3e-3);
 }
 

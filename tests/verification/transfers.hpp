@@ -11,7 +11,7 @@ namespace riedel::test {
 constexpr double density = 1000.0, h = 0.05;
 const std::map<std::string, Value> soft{{"youngs_modulus", 1e6}, {"poissons_ratio", 0.3}, {"density", density}};
 
-/// A transfer with numbers of its own.
+/// A transfer with its own parameters.
 struct Transfer {
   std::string label, name;
   std::map<std::string, Value> with = {};
@@ -42,7 +42,7 @@ Counts<Dim> few_cells() {
   return cells;
 }
 
-/// Points anywhere near a lattice, each with a velocity of its own.
+/// Points anywhere near a lattice, each with its own velocity.
 template <int Dim>
 State<Dim> shaken_block(Counts<Dim> cells) {
   State<Dim> state = elastic_state<Dim>(

@@ -1,4 +1,4 @@
-/// A case that grows while the files of IncrementalDriver are read.
+/// A case that is filled while the files of IncrementalDriver are read.
 #pragma once
 
 #include "apps/element/incremental/input_lines.hpp"

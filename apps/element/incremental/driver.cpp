@@ -19,12 +19,12 @@ constexpr std::int64_t max_numbers = 10000; ///< parameters, or state variables
 const std::vector<std::string> sand{"phi_c", "cohesion_pressure", "h_s", "n", "e_d0", "e_c0", "e_i0", "alpha", "beta"};
 const std::vector<std::string> sand_laws{"von_wolffersdorff", "gudehus_bauer"};
 const std::vector<std::string> intergranular{"m_R", "m_T", "R", "beta_R", "chi"}; ///< behind those of the law
-constexpr double min_m_R = 0.5;                 ///< m_R above it puts intergranular strain to work
+constexpr double min_m_R = 0.5;                 ///< intergranular strain is active for a larger m_R
 constexpr std::size_t void_ratio = 7, pore = 8; ///< numbers in STATEV; before them, the intergranular strain
-constexpr std::size_t last_note = 13;           ///< from 9 to it STATEV holds what the UMAT notes of its own
+constexpr std::size_t last_note = 13;           ///< STATEV 9 to 13 are the UMAT's own notes
 constexpr double min_void_ratio = 1e-3;         ///< below it, STATEV(7) takes the sixteenth parameter
 
-/// What parameters.inp says of the state at the start.
+/// The initial state in parameters.inp.
 struct Start {
   std::optional<double> void_ratio;
 };
@@ -36,7 +36,7 @@ void refuse_law(const InputLines& lines, const std::string& law) {
                " (another law than the file's: --set material.model=LAW; a UMAT: --set material.library=LIB.so)");
 }
 
-/// The first line, without what stands behind '#'.
+/// The first line, without a comment after '#'.
 std::string name_in(InputLines& lines) {
   std::string name = lines.line("the name of the law");
   name.erase(std::min(name.find('#'), name.size()));
@@ -90,8 +90,8 @@ Start read_sand_parameters(IncrementalCase& into, InputLines& lines, const std::
   if (count < own)
     lines.refuse(std::to_string(count) + " parameters are too few: " + law + " needs " + std::to_string(own));
   if (count > e_0)
-    lines.refuse(std::to_string(count) + " parameters are too many: what stands behind the " + std::to_string(e_0) +
-                 "th is not known");
+    lines.refuse(std::to_string(count) + " parameters are too many: those after the " + std::to_string(e_0) +
+                 "th are not known");
   for (const std::string& parameter : sand) {
     const double x = lines.number(parameter);
     const bool of_pressure = parameter == "h_s" || parameter == "cohesion_pressure";
@@ -115,7 +115,7 @@ void read_stress(IncrementalCase& into, InputLines& lines) {
   into.set(lines, "initial.tau_23", stress[5]);
 }
 
-/// STATEV; what is missing at the end of the file is zero.
+/// STATEV; values missing at the end of the file are zero.
 std::vector<double> read_states(InputLines& lines) {
   std::vector<double> all(static_cast<std::size_t>(lines.integer("the number of state variables", 0, max_numbers)));
   std::string line;

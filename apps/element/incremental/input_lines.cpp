@@ -32,7 +32,7 @@ bool InputLines::next(std::string& line) {
 
 std::string InputLines::line(const std::string& what) {
   std::string line;
-  if (!next(line)) refuse("the file ends where " + what + " should stand");
+  if (!next(line)) refuse("the file ends where " + what + " is expected");
   return line;
 }
 

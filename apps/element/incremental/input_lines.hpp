@@ -19,17 +19,17 @@ public:
 
   /// The next line that is not empty. @return whether there was one
   bool next(std::string& line);
-  /// The first word of the next line. @param what names it, should it be missing
+  /// The first word of the next line. @param what names it in the message if it is missing
   std::string word(const std::string& what);
-  /// The next line, whatever it says. @param what names it, should it be missing
+  /// The next line, whatever it contains. @param what names it in the message if it is missing
   std::string line(const std::string& what);
-  /// The first numbers of the next line, 1.0d0 among them. @param what names them, should they be missing
+  /// The first numbers of the next line, also as 1.0d0. @param what names them in the message if they are missing
   std::vector<double> numbers(std::size_t count, const std::string& what);
   /// The first numbers of a line that has been read.
   [[nodiscard]] std::vector<double> numbers_in(std::string line, std::size_t count, const std::string& what) const;
   /// An integer at the beginning of the next line. @param what names it
   std::int64_t integer(const std::string& what, std::int64_t minimum, std::int64_t maximum);
-  /// The same number as an integer, or refused.
+  /// The same number as an integer. @throws InputError if it is none
   [[nodiscard]] std::int64_t integer_of(double x, const std::string& what, std::int64_t minimum,
                                         std::int64_t maximum) const;
   double number(const std::string& what) { return numbers(1, what).front(); }

@@ -28,7 +28,7 @@ IncrementalOutput::IncrementalOutput(const std::filesystem::path& path, const Ma
   file_.write(header + "\n");
 }
 
-/// Its own state, without the strain that turns with the material; tensors as their names say.
+/// The UMAT's own state, without the strain that rotates with the material; tensors according to their names.
 void IncrementalOutput::list_of_umat(const Material& law, const Values& material) {
   int column = 0;
   for (const StateVariable& variable : law.states()) {

@@ -10,8 +10,8 @@
 namespace riedel {
 
 /// The columns time(1) time(2) stran(1..6) stress(1..6) statev(1..), tension positive, stresses in kPa and with the
-/// pressure of pore water. The state is that of UMATs for hypoplastic sand: intergranular strain (0 of a law without),
-/// void ratio, with water its pressure, and then what else there is; of a UMAT, its own.
+/// pressure of pore water. The state is that of UMATs for hypoplastic sand: intergranular strain (0 for a law without
+/// it), void ratio, with water its pressure, then all other variables; for a UMAT, its own state.
 class IncrementalOutput {
 public:
   /// @param material the keys of [material]

@@ -30,7 +30,7 @@ std::string first_word(const std::string& line) {
   return word;
 }
 
-/// A line with a keyword, and what stands behind a question mark.
+/// A line with a keyword, and the condition after a question mark.
 struct Keyword {
   std::string given, condition;
   [[nodiscard]] std::string plain() const { return small_letters(given); }
@@ -45,7 +45,7 @@ public:
   Steps(IncrementalCase& into, const std::filesystem::path& path) : into_(into), lines_(path) {}
 
   void read() {
-    (void)lines_.line("the name of the output"); // ours is output.txt in the folder of results
+    (void)lines_.line("the name of the output"); // not used: the output is output.txt in the results folder
     for (std::string line; lines_.next(line);) {
       const Keyword keyword = keyword_of(line);
       if (keyword.plain() == "*end") return;
@@ -91,8 +91,8 @@ private:
     rounds_ = 1;
   }
 
-  /// The program counts time on through all steps, so that a period that does not fit into a round begins elsewhere in
-  /// the next one.
+  /// IncrementalDriver counts time through all steps, so that a period that does not fit into a round begins at another
+  /// phase in the next one.
   void refuse_shifted_rounds(double round) const {
     for (const double period : phased_)
       if (!fits(round, period))
@@ -138,8 +138,8 @@ private:
                   "; known: " + known);
   }
 
-  /// "1000 30 1.0: 10": increments, iterations and a time; behind a colon the program's rows, of which ours are others;
-  /// behind a T the change of temperature. @return the time [s]
+  /// "1000 30 1.0: 10": increments, iterations and a time; after a colon the interval of rows, which is not used here;
+  /// after a T the change of temperature. @return the time [s]
   double read_commons() {
     const std::string line = lines_.line("increments, iterations and a time");
     const std::size_t colon = std::min(line.find(':'), line.size());
@@ -149,7 +149,7 @@ private:
     (void)lines_.integer_of(numbers[1], "a number of iterations", 0, maximum);
     if (colon < line.size())
       (void)lines_.integer_of(
-          lines_.numbers_in(line.substr(colon + 1), 1, "each how manieth increment is written").front(),
+          lines_.numbers_in(line.substr(colon + 1), 1, "the number of increments between rows").front(),
           "a number of increments between rows", -maximum, maximum);
     refuse_temperature(line);
     if (!(numbers[2] > 0.0)) lines_.refuse("a time of " + exact_text(numbers[2]) + "; allowed: more than 0");
@@ -197,11 +197,11 @@ private:
     for (std::size_t c = 0; c < 6; ++c)
       into_.set(lines_, at + in[c].name(stress[c]), in[c].factor(stress[c], into_.stress_unit) * change[c]);
   }
-  /// Amplitude, phase [rad] and linear change of each component, one period in the step's time. The program's sine runs
-  /// with the time of all steps.
+  /// Amplitude, phase [rad] and linear change of each component, one period in the step's time. IncrementalDriver's
+  /// sine runs with the time of all steps.
   void read_circulating(const std::string& at, double period) {
     if (!time_known_)
-      lines_.refuse("a *CirculatingLoad behind a step that a condition ('?') may end early is not supported: its phase "
+      lines_.refuse("a *CirculatingLoad after a step that a condition ('?') may end early is not supported: its phase "
                     "counts from the time at its start");
     const IncrementalVariables& in = read_variables();
     const double shift = fits(time_, period) ? 0.0 : 2.0 * std::numbers::pi * std::fmod(time_, period) / period;
@@ -216,15 +216,15 @@ private:
     phased_.push_back(period);
   }
 
-  /// F at the end of the step, in the order 11, 22, 33, 12, 21, 13, 31, 23, 32. The program goes there from the unit
-  /// tensor at time 0, and as far again in each such step later.
+  /// F at the end of the step, in the order 11, 22, 33, 12, 21, 13, 31, 23, 32. IncrementalDriver goes there from the
+  /// unit tensor at time 0, and changes F by as much again in each later step of this kind.
   void read_deformation(const std::string& at, double duration) {
     constexpr std::array<std::pair<int, int>, 9> order{
         {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 1}}};
     Eigen::Matrix3d F;
     for (const auto& [i, j] : order) F(i, j) = lines_.number("a component of the deformation gradient");
     if (!time_known_ || (rounds_ > 1))
-      lines_.refuse("a *DeformationGradient in a *Repetition, or behind a step that a condition may end early, is not "
+      lines_.refuse("a *DeformationGradient in a *Repetition, or after a step that a condition may end early, is not "
                     "supported: it counts from the time at its start");
     const Eigen::Matrix3d I = Eigen::Matrix3d::Identity(), before = I + time_ / duration * (F - I);
     if (!(before.determinant() > 0.0) || !((before + F - I).determinant() > 0.0))

@@ -25,7 +25,7 @@ constexpr std::array<IncrementalShorthand, 9> shorthands{{
 } // namespace
 
 /// Those of Roscoe and Rendulic count compression positive; the isomorphic ones are
-/// normalised, so that stress and strain are turned alike.
+/// normalised, so that stress and strain are rotated alike.
 const std::map<std::string, IncrementalVariables>& incremental_variables() {
   static const std::map<std::string, IncrementalVariables> all{
       {"*cartesian",

@@ -1,4 +1,4 @@
-/// The six conditions of a step of IncrementalDriver, in its several variables.
+/// The six conditions of a step of IncrementalDriver, in its various variables.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace riedel {
 
-/// One of the six: the strain's measure and the stress's, and what the numbers of the file are multiplied by.
+/// One of the six: the measures of strain and stress, and the factors for the numbers of the file.
 struct IncrementalPair {
   const char *strain, *stress;
   double strain_factor, stress_factor;

@@ -1,4 +1,4 @@
-/// What an element test is, beside a path of one's own: everything that one test does and another does not.
+/// The description of a named element test: everything in which the tests differ.
 #pragma once
 
 #include "core/base/parameters.hpp"
@@ -8,7 +8,7 @@
 
 namespace riedel {
 
-/// A column of element.csv as an axis shows it.
+/// A column of element.csv as an axis of a picture.
 struct PictureAxis {
   std::string column, label;
   double unit = 1.0; ///< what the column is multiplied by
@@ -27,20 +27,20 @@ struct ElementTest {
   std::string name, title;
   double void_ratio = 0.60; ///< default of specimen.void_ratio
 
-  Keys loading;              ///< keys of [loading] that no other test needs to have
-  std::string pressure_key;  ///< of them, the one that gives the pressure from all sides at the start [Pa]
-  std::string pressure_name; ///< what messages call it
+  Keys loading;              ///< the test's own keys of [loading]
+  std::string pressure_key;  ///< the one of them for the pressure from all sides at the start [Pa]
+  std::string pressure_name; ///< its name in messages
 
   /// Of the six conditions on a point, those that are not γ12 = γ13 = γ23 = 0; the driven measure follows
-  /// loading.final_strain, and the others stay as they are.
+  /// loading.final_strain, and the others are kept constant.
   std::array<std::string, 3> normal; ///< such as eps_1, sigma_2, sigma_3
   std::string driven = "eps_1";      ///< one of `normal`, or gamma
   Friction friction = Friction::in_plane;
-  std::string limit_measure = {}, limit_key = {}; ///< ends the test above that number, if it comes first; empty: none
+  std::string limit_measure = {}, limit_key = {}; ///< ends the test above that value, if reached first; empty: none
 
   int dimensions = 2; ///< of the specimen; 3 where plane strain would be another test
   std::array<PlateMotion, 3> plates{PlateMotion::driven, PlateMotion::fixed, PlateMotion::fixed}; ///< normal to 1, 2, 3
-  bool confined = true; ///< the pressure acts on the sides as it is, through all of the test
+  bool confined = true; ///< the pressure acts on the sides throughout the test
 
   std::vector<ElementPicture> pictures;
 
@@ -48,7 +48,7 @@ struct ElementTest {
   [[nodiscard]] bool shears() const { return driven == "gamma"; }
 };
 
-/// For the tests' tables of keys.
+/// Keys for the tables of the tests.
 Key element_pressure_key(const std::string& name, double standard, std::string doc);
 Key element_strain_key(double standard, const std::string& doc, double maximum = 1.0);
 inline constexpr const char* ends_at_vertical_strain = "vertical strain u/h0 at which the test ends";

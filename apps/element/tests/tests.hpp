@@ -1,4 +1,4 @@
-/// The element tests that have a name. A new one is a file beside this, and a line here and in tests.cpp.
+/// The named element tests. A new one is a file beside this, with a line here and in tests.cpp.
 #pragma once
 
 #include "apps/element/tests/test.hpp"
@@ -11,10 +11,10 @@ ElementTest shear_test();
 ElementTest biaxial_element_test();
 
 const std::vector<ElementTest>& named_element_tests();
-/// Null for a path of one's own, and for a name that there is not.
+/// Null for a path and for an unknown name.
 const ElementTest* find_element_test(std::string_view name);
 
-/// Whether the strain that a test is told by is γ; ε1 otherwise.
+/// Whether a test is reported against γ; otherwise against ε1.
 bool shears(std::string_view test);
 
 } // namespace riedel

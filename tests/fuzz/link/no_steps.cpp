@@ -1,4 +1,4 @@
-// The keys of a case name the steps, which readers never take, and ask for VTK: the fuzzers do without the libraries.
+// The keys of a case refer to the steps, which readers never take, and to VTK: the fuzzers do not need the libraries.
 #include "core/io/commit.hpp"
 #include "core/io/with_vtk.hpp"
 #include "core/step/musl.hpp"
@@ -39,7 +39,7 @@ const char* commit() { return "unknown"; }
 
 } // namespace riedel
 
-// Nor do they start threads, or turn the states whose names they read.
+// Nor do they start threads, or rotate the states whose names they read.
 extern "C" {
 void rotsig_(const double*, const double*, double*, const int*, const int*, const int*) { std::abort(); }
 int omp_get_max_threads() { return 1; }

@@ -1,5 +1,4 @@
-/// Laws that go wrong: while they are made, by throwing or by a crash, and in a run, by NaN, by a report or by
-/// throwing.
+/// Laws that fail: while they are made, by throwing or by a crash, and in a run, by NaN, by a report or by throwing.
 #include "core/interface/plugin.hpp"
 #include "materials/kit/rate_law.hpp"
 

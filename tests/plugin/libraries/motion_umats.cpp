@@ -1,5 +1,5 @@
-/// UMATs in C++ that use what a driver tells of the motion and the time, by CMNAME. AUDIT is elastic and keeps a record
-/// of its own, against which it holds every call: it says what does not fit, and calls XIT.
+/// UMATs in C++ that use a driver's motion and time, by CMNAME. AUDIT is elastic and keeps its own record, with which
+/// it compares every call: it reports any mismatch, and calls XIT.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +69,7 @@ void neo_hooke(const Call& c) {
   elastic_stiffness(c.ddsdde, 9 * kappa * mu / (3 * kappa + mu), (3 * kappa - 2 * mu) / (2 * (3 * kappa + mu)));
 }
 
-/// STATEV of AUDIT: the stress, declared as a tensor; the stress and the strain, turned by ROTSIG; F, time, KINC,
+/// STATEV of AUDIT: the stress, declared as a tensor; the stress and the strain, rotated by ROTSIG; F, time, KINC,
 /// KSTEP, NOEL and number of calls at the end of the last step.
 enum Record { declared = 0, own_stress = 6, own_strain = 12, gradient = 18, end = 27, increment, stage, point, calls };
 
@@ -105,7 +105,7 @@ void audit_what_never_changes(const Call& c) {
   demand(c.noel >= 1, "NOEL", c.noel, 1);
 }
 
-/// What a step says of itself fits together. PROPS(3) = 1: the rotation goes with the spin.
+/// The data of a step are consistent. PROPS(3) = 1: the rotation follows the spin.
 void audit_motion(const Call& c) {
   const std::array<double, 9> back = inverse(c.dfgrd0);
   double H[3][3], size = 0.0; // ΔF − I
@@ -115,7 +115,7 @@ void audit_motion(const Call& c) {
       for (int k = 0; k < 3; ++k) H[i][j] += at(c.dfgrd1, i, k) * at(back.data(), k, j);
       size += H[i][j] * H[i][j];
     }
-  // A part of a step has its share of what the whole step is off in second order.
+  // A part of a step has its share of the second-order error of the whole step.
   const double second_order = 4 * size + 1e-12 + (c.props[3] > 0 ? 0.01 * std::sqrt(size) : 0);
   const int row[] = {0, 1, 2, 0, 0, 1}, column[] = {0, 1, 2, 1, 2, 2};
   for (int k = 0; k < 6; ++k) {
@@ -176,7 +176,7 @@ void keep_record(const Call& c) {
   ++s[calls];
 }
 
-/// PROPS: E, ν, whether the rotation goes with the spin, longest increment of strain (0: any).
+/// PROPS: E, ν, whether the rotation follows the spin, longest increment of strain (0: any).
 void audit(const Call& c) {
   audit_what_never_changes(c);
   audit_motion(c);

@@ -1,4 +1,4 @@
-/// A search that looks at every pair, and an average without weights.
+/// A search that checks every pair, and an average without weights.
 #include "core/interface/plugin.hpp"
 
 namespace {

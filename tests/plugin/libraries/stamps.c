@@ -19,12 +19,12 @@ const struct stamp riedel_plugin = {"riedel plug", 3, "99.1.0", "12", 0, 0};
 const struct stamp riedel_plugin = {"riedel plug", 3, RIEDEL_VERSION, "3.4", 1, 0};
 #elif KIND == 4 /* something else under that name */
 const struct stamp riedel_plugin = {"other thing", 3, RIEDEL_VERSION, "12", 0, 0};
-#elif KIND == 5 /* a symbol that nobody has */
+#elif KIND == 5 /* a symbol that does not exist */
 extern void nobody_has_this(void);
 void call_it(void) { nobody_has_this(); }
 #elif KIND == 6 /* crashes while it is loaded */
 __attribute__((constructor)) static void crash(void) { raise(SIGSEGV); }
-#elif KIND == 7 /* does not come back */
+#elif KIND == 7 /* does not return */
 __attribute__((constructor)) static void loop(void) {
   for (volatile double x = 0.0;;) x += 1.0;
 }
@@ -32,6 +32,6 @@ __attribute__((constructor)) static void loop(void) {
 __attribute__((constructor)) static void leave(void) { exit(0); }
 #elif KIND == 9 /* the interface of the version before */
 const struct stamp riedel_plugin = {"riedel plug", 2, RIEDEL_VERSION, "12", 0, 0};
-#else           /* a library that is no plug-in */
+#else           /* a library that is not a plug-in */
 int nothing = 0;
 #endif

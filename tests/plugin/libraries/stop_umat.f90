@@ -1,4 +1,4 @@
-! An elastic UMAT that says why it ends by STOP once strain has gone on for PROPS(1) seconds.
+! An elastic UMAT that gives a reason and ends by STOP when straining has lasted PROPS(1) seconds.
 subroutine umat(stress, statev, ddsdde, sse, spd, scd, rpl, ddsddt, drplde, drpldt, stran, dstran, time, dtime, temp, &
                 dtemp, predef, dpred, cmname, ndi, nshr, ntens, nstatv, props, nprops, coords, drot, pnewdt, celent, &
                 dfgrd0, dfgrd1, noel, npt, layer, kspt, kstep, kinc)
