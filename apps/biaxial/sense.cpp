@@ -176,7 +176,7 @@ std::vector<Finding> time_step_doubts(const BiaxialCase& v, const ExpectedWork& 
   if (v.keys.is_text("time.step") || v.keys.number("time.step") <= expected.limit) return {};
   return {{{"time.step"},
            exact_text(v.keys.number("time.step")) + " s is over the stable limit, " + short_text(expected.limit) +
-               " s at the start: the run may become unstable, or be wrong without warning"}};
+               " s at the start: the run may become unstable, or give wrong results without warning"}};
 }
 
 void check_sense(const CaseFile& given, const BiaxialCase& v, const Catalogue& catalogue, Diagnostics& found) {

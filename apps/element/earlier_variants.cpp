@@ -27,7 +27,7 @@ EarlierVariants::EarlierVariants(fs::path folder, bool force) : folder_(std::mov
     if (is_variant(entry)) variants_.push_back(entry.path());
   if (!force && !variants_.empty())
     throw InputError("--out " + folder_.string() + ": holds results already (" + variants_.front().filename().string() +
-                     "); choose another folder, or --force to write over them");
+                     "); choose another folder, or --force to overwrite them");
 }
 
 void EarlierVariants::remove(const std::string& command, const fs::path& input, bool family) const {

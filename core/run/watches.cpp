@@ -22,7 +22,7 @@ void TimeStepWatch::record(double time_step, double limit, std::int64_t step) {
   if (share > 1.0 && maximum_ <= 1.0)
     print_warning("time.step = " + short_text(time_step) + " s is over the stable limit, " + short_text(limit) +
                   " s at step " + std::to_string(step) +
-                  ": the run may blow up, or give wrong results without warning");
+                  ": the run may become unstable, or give wrong results without warning");
   maximum_ = std::max(maximum_, share);
 }
 
