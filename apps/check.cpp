@@ -1,4 +1,5 @@
 #include "apps/built_in.hpp"
+#include "apps/case_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/kinds.hpp"
 #include "apps/reference.hpp"
@@ -26,6 +27,8 @@ void warn_of_run(const CaseKind& kind, const CaseFile& given, const Values& valu
 
 /// `riedel check`: reports all errors at once, or prints the case with every key in force and, as comments, the cost of
 /// a run. The output is itself a case. A case that names a test is one of `riedel element`.
+namespace {
+
 int check(const Arguments& arguments) {
   const CaseFile given = arguments.case_file().without("compare"); // of a study, the case that it varies
   const Catalogue catalogue = load_catalogue(given).catalogue;
@@ -45,6 +48,25 @@ int check(const Arguments& arguments) {
   std::cout << "# ok\n"
             << case_text(checked.keys, checked.values) << kind.outlook(checked.values, catalogue, arguments.threads());
   return 0;
+}
+
+Options check_options() {
+  Options options = case_options();
+  options.push_back({"schema", "", "print a JSON Schema of the case, for editors"});
+  options.push_back({"reference", "", "print the reference of all keys as Markdown"});
+  return options;
+}
+
+} // namespace
+
+Command check_command() {
+  return {.name = "check",
+          .usage = "[CASE.toml] [options]",
+          .summary = "Checks a case: reports all errors at once, or prints the case with every key in force.",
+          .max_words = 1,
+          .options = check_options(),
+          .run = check,
+          .more_help = check_help};
 }
 
 } // namespace riedel

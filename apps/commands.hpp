@@ -1,20 +1,21 @@
-/// The sub-commands of the program: one line each in a table.
+/// The sub-commands of the program: a line each here and in commands.cpp.
 #pragma once
 
 #include "apps/command_line.hpp"
 
 namespace riedel {
 
-int biaxial(const Arguments& arguments);
-int element(const Arguments& arguments);
-int list(const Arguments& arguments);
-int check(const Arguments& arguments);
-int bench(const Arguments& arguments);
-int verify(const Arguments& arguments);
-int compare(const Arguments& arguments);
-int collect(const Arguments& arguments);
-int reproduce(const Arguments& arguments);
-int umat_check(const Arguments& arguments);
+// Each beside its code, in a folder of the same name or in a file of this one.
+Command biaxial_command();
+Command element_command();
+Command compare_command();
+Command collect_command();
+Command reproduce_command();
+Command check_command();
+Command list_command();
+Command bench_command();
+Command verify_command();
+Command umat_check_command();
 
 /// The words that `riedel list` knows: groups, then the names in them.
 std::vector<std::string> list_words();

@@ -114,6 +114,8 @@ std::vector<std::string> list_words() {
   return words;
 }
 
+namespace {
+
 int list(const Arguments& arguments) {
   const Inventory all = load_catalogue(arguments.list("plugin", {}));
   const std::vector<Group> groups = groups_of(all);
@@ -124,6 +126,33 @@ int list(const Arguments& arguments) {
     for (const Group& group : groups) add(text_of(group));
   std::cout << text;
   return 0;
+}
+
+std::string list_help(const Arguments&) {
+  return R"(A single name is shown in full: what it is, its source, its parameters with unit, default and range, and
+for a law its state variables and the variables that it can take averaged.
+
+Examples
+  riedel list schemes
+  riedel list mohr_coulomb
+  riedel list nonlocal.length
+  riedel list --plugin build/wu_bauer.so wu_bauer
+)";
+}
+
+} // namespace
+
+Command list_command() {
+  return {.name = "list",
+          .usage = "[schemes|materials|searches|averagers|boundaries|transfers|plugins|NAME ...] [options]",
+          .summary =
+              "Lists what a case can name: everything, a group, or one scheme, law, search, averager, transfer or "
+              "key in full.",
+          .max_words = 100,
+          .options = {plugin_option()},
+          .run = list,
+          .more_help = list_help,
+          .first_words = list_words()};
 }
 
 } // namespace riedel

@@ -1,5 +1,6 @@
 /// riedel umat-check: checks a UMAT before it is used in a run.
 #include "apps/built_in.hpp"
+#include "apps/case_help.hpp"
 #include "apps/case_kind.hpp"
 #include "apps/commands.hpp"
 #include "core/base/error.hpp"
@@ -83,8 +84,6 @@ Line stiffness_line(const UmatProbe& probe) {
                        : "not the tangent; enough for the wave speed if it is a stiffness, in material.stress_unit"};
 }
 
-} // namespace
-
 int umat_check(const Arguments& arguments) {
   if (arguments.words.empty()) throw InputError("riedel umat-check needs a library");
   CaseFile given = arguments.case_file(1);
@@ -115,6 +114,18 @@ int umat_check(const Arguments& arguments) {
   std::cout << markdown_table({"what", "found", ""}, lines, 1);
   if (!good) throw RunError("the UMAT did not pass; see the table");
   return 0;
+}
+
+} // namespace
+
+Command umat_check_command() {
+  return {.name = "umat-check",
+          .usage = "LIB.so [CASE.toml] [options]",
+          .summary = "Checks a UMAT: rotated, in smaller steps, and its DDSDDE against difference quotients.",
+          .max_words = 2,
+          .options = case_options(),
+          .run = umat_check,
+          .more_help = umat_check_help};
 }
 
 } // namespace riedel

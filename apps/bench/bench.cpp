@@ -90,8 +90,6 @@ int cases_mode(const Arguments& arguments, const std::vector<BenchCase>& cases, 
   return 0;
 }
 
-} // namespace
-
 int bench(const Arguments& arguments) {
   const bool peers = arguments.has("peers"), machine = arguments.has("machine");
   if (peers && machine) throw InputError("--peers and --machine: one at a time");
@@ -105,6 +103,33 @@ int bench(const Arguments& arguments) {
   effort.stop = [&] { return static_cast<bool>(interrupt); };
   const int code = machine ? machine_mode(arguments, effort) : cases_mode(arguments, cases, catalogue, effort, peers);
   return interrupt ? interrupt.exit_code() : code;
+}
+
+std::string bench_help(const Arguments&) {
+  return R"(All combinations are run: --scheme linear,cpdi --points 1e4,1e5 makes four cases. Each is a block of sand
+under 100 kPa that is sheared and compressed by 1e-6 per step. The total is the median of the repeats, without the phase
+clock; the phases are measured in a separate repeat. Bytes are the memory in use for the case. "of bare kernel" is the
+time divided by that of a hand-written step on this machine (2-D, usl, one thread), for the same kind of scheme and the
+nearest size: between machines, compare this ratio rather than times. Tables are Markdown.
+
+Examples
+  riedel bench --scheme linear,gimp,cpgimp,cpdi --points 1e5
+  riedel bench --length 0,1.5mm --search cgal_kd_tree,cell_list --points 1e4 --threads 1,2 --json bench.json
+  riedel bench --peers
+  riedel bench --machine
+)";
+}
+
+} // namespace
+
+Command bench_command() {
+  return {.name = "bench",
+          .usage = "[options]",
+          .summary = "Nanoseconds per point and step, by phase; figures of other programs; limits of the machine.",
+          .max_words = 0,
+          .options = bench_options(),
+          .run = bench,
+          .more_help = bench_help};
 }
 
 } // namespace riedel

@@ -4,6 +4,7 @@
 #include "apps/biaxial/pictures.hpp"
 #include "apps/biaxial/report.hpp"
 #include "apps/built_in.hpp"
+#include "apps/case_help.hpp"
 #include "apps/commands.hpp"
 #include "core/base/thread_choice.hpp"
 #include "core/case/case_text.hpp"
@@ -131,8 +132,6 @@ int run_to_some_end(const Order& order, OutputFolder& output) {
   }
 }
 
-} // namespace
-
 int biaxial(const Arguments& arguments) {
   const CaseFile file = arguments.case_file().without("compare"); // a study also serves as the case that it varies
   Catalogue catalogue = load_catalogue(file).catalogue;
@@ -144,6 +143,18 @@ int biaxial(const Arguments& arguments) {
   const Order order{std::move(given), std::move(test), std::move(catalogue), arguments.threads()};
   OutputFolder output(arguments.out("results/biaxial"), arguments.command, arguments.force());
   return run_to_some_end(order, output);
+}
+
+} // namespace
+
+Command biaxial_command() {
+  return {.name = "biaxial",
+          .usage = "[CASE.toml] [options]",
+          .summary = "Plane strain compression of a sand specimen; the paper's case when none is given.",
+          .max_words = 1,
+          .options = run_options("results/biaxial"),
+          .run = biaxial,
+          .more_help = biaxial_help};
 }
 
 } // namespace riedel

@@ -59,8 +59,6 @@ int write_results(const Plan& plan, const fs::path& folder) {
   return std::ranges::any_of(results, [](const RunResult& r) { return r.status == RunStatus::done; }) ? 0 : 3;
 }
 
-} // namespace
-
 int compare(const Arguments& arguments) {
   const auto kind = arguments.text("script");
   if (kind) (void)arguments.names("script", {}, script_kinds());
@@ -94,6 +92,63 @@ int collect(const Arguments& arguments) {
   const Plan plan = read_campaign(folder, run_kinds());
   const FolderLock lock(folder, arguments.command); // otherwise a campaign could write older results at its end
   return write_results(plan, folder);
+}
+
+Options compare_options() {
+  Options options = case_options();
+  std::vector<std::string> schemes = scheme_names();
+  schemes.emplace_back("all");
+  options.push_back({"schemes", "A,B", "interpolation schemes; 'all' stands for all of them", true, schemes});
+  options.push_back({"vary", "KEY=A,B", "values of a key; if repeated, all combinations are run", true});
+  options.push_back({"out", "DIR", "folder of the campaign; default: results/ and the name of the case file"});
+  options.push_back({"threads", "N", "for all runs together; default: all of the machine"});
+  options.push_back({"dry-run", "", "list the runs, with their shares of the work, and start none"});
+  options.push_back({"script", "KIND", "start none, but write a script to run them elsewhere: slurm or parallel", false,
+                     script_kinds()});
+  options.push_back({"force", "", "remove the campaign in the folder, with its runs"});
+  return options;
+}
+
+std::string compare_help(const Arguments&) {
+  return R"(Every combination is a run in its own folder, of the biaxial test or of the element test that the case names
+(test = "triaxial"). The row of a run that fails or cannot begin says so. A campaign that was stopped or killed
+continues when the same command is given again. results.csv has a row for each run, with every value of its
+summary.json; report.html shows curves, fields and tables in a browser.
+
+A case file can state what is varied, and still be run as a single case:
+
+  [compare]
+  title = "Mesh and length"
+  schemes = ["gimp", "cpdi"]
+  vary = ["grid.cells=[16,56],[24,84]", "nonlocal.length=0,1.5e-3"]
+
+Examples
+  riedel compare --schemes gimp,cpdi --vary nonlocal.length=0,1.5mm --dry-run
+  riedel compare mine.toml --schemes all --out results/schemes
+  riedel compare --set test=triaxial --vary specimen.void_ratio=0.6,0.75,0.9
+  riedel compare mine.toml --schemes all --script slurm     then sbatch, and finally: riedel collect results/mine
+)";
+}
+
+} // namespace
+
+Command compare_command() {
+  return {.name = "compare",
+          .usage = "[CASE.toml] [options]",
+          .summary = "The same case under many schemes and settings, several at once, with a report.",
+          .max_words = 1,
+          .options = compare_options(),
+          .run = compare,
+          .more_help = compare_help};
+}
+
+Command collect_command() {
+  return {.name = "collect",
+          .usage = "DIR",
+          .summary = "Collects the results of a campaign that was run by script or not completed.",
+          .max_words = 1,
+          .options = {},
+          .run = collect};
 }
 
 } // namespace riedel

@@ -1,5 +1,6 @@
 /// riedel element: oedometer, triaxial, shear, biaxial, or a user-defined path, at one point or more.
 #include "apps/built_in.hpp"
+#include "apps/case_help.hpp"
 #include "apps/commands.hpp"
 #include "apps/element/drivers.hpp"
 #include "apps/element/earlier_variants.hpp"
@@ -40,13 +41,12 @@ struct ElementRun {
 };
 
 std::string test_named(const Arguments& arguments) {
-  const std::vector<std::string>& tests = element_tests();
   if (arguments.words.empty()) {
     std::string known;
-    for (const std::string& test : tests) known += (known.empty() ? "" : ", ") + test;
+    for (const std::string& test : element_tests()) known += (known.empty() ? "" : ", ") + test;
     throw InputError("riedel element needs a test: " + known);
   }
-  refuse_unknown_names("element test", {arguments.words.front()}, tests);
+  refuse_unknown_names("element test", {arguments.words.front()}, element_tests());
   return arguments.words.front();
 }
 
@@ -205,8 +205,6 @@ std::filesystem::path input_of(const Arguments& arguments) {
   return arguments.words.size() > 1 ? arguments.words[1] : "";
 }
 
-} // namespace
-
 int element(const Arguments& arguments) {
   const std::string test = test_named(arguments);
   const Catalogue catalogue = load_catalogue(given_file(arguments, test)).catalogue;
@@ -246,6 +244,37 @@ int element(const Arguments& arguments) {
   print_files(folder, runs.front().folder != folder, pictures);
   if (interrupt) print_interruption(curves, runs.size());
   return interrupt ? interrupt.exit_code() : code;
+}
+
+Options element_options() {
+  Options options = case_options();
+  const Options own{
+      {"out", "DIR", "folder for the results; default: results/element/ and the name of the case file or test"},
+      {"driver", "NAME", "what runs the test; same as --set driver.kind=NAME", false, element_driver_names()},
+      {"vary", "KEY=A,B", "run the case for each value, each in its own folder; if repeated, for all combinations",
+       true},
+      {"import", "DIR",
+       "path: read it from parameters.inp, initialconditions.inp and test.inp in DIR; or a file like test.inp; "
+       "param=FILE, ini=FILE or test=FILE for other names; may be repeated",
+       true},
+      {"threads", "N", "for the mpm driver; or A-B: the program chooses while it runs; default: 1 to all"},
+      {"reference", "FILE.csv", "show a curve with columns named as in element.csv beside the others"},
+      {"force", "", "overwrite the results in the folder"}};
+  options.insert(options.end(), own.begin(), own.end());
+  return options;
+}
+
+} // namespace
+
+Command element_command() {
+  return {.name = "element",
+          .usage = "TEST [CASE.toml] [options]",
+          .summary = "Element tests: oedometer, triaxial, shear, biaxial, or a user-defined path.",
+          .max_words = 2,
+          .options = element_options(),
+          .run = element,
+          .more_help = element_help,
+          .first_words = element_tests()};
 }
 
 } // namespace riedel

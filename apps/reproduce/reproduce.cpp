@@ -119,8 +119,6 @@ PaperRuns runs_of(const RunKind& kind, const Arguments& arguments, const std::ve
   return {.folder = std::move(campaign.folder), .results = results};
 }
 
-} // namespace
-
 int reproduce(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Figures figures = wanted_figures(arguments);
@@ -165,6 +163,54 @@ int reproduce(const Arguments& arguments) {
   std::cout << "\ntook "
             << duration_text(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << "\n";
   return 0;
+}
+
+Options reproduce_options() {
+  Options options = case_options();
+  std::vector<std::string> figures;
+  for (const int figure : all_figures) figures.push_back(std::to_string(figure));
+  options.push_back({"figure", "N,M", "of 2, 3, 4, 5, 7, 8, 9, 10; default: all", true, figures});
+  options.push_back({"way",
+                     "paper,filtered",
+                     "paper: the runs as in the paper; filtered: with the stress filter, damping by time, at 0.025 "
+                     "m/s; default: both",
+                     true,
+                     {"paper", "filtered"}});
+  options.push_back({"scheme", "NAME",
+                     "interpolation scheme of Figures 7 to 10; default: gimp for paper, cpdi for filtered", false,
+                     scheme_names()});
+  options.push_back({"out", "DIR", "folder of runs, pictures and report; default: results/reproduce/ and the scheme"});
+  options.push_back({"threads", "N", "for all runs together; default: all of the machine"});
+  options.push_back(
+      {"document", "FILE.md", "put the verdicts between <!-- riedel reproduce --> and <!-- riedel reproduce ends -->"});
+  options.push_back({"force", "", "remove the runs in the folder, and start again"});
+  return options;
+}
+
+std::string reproduce_help(const Arguments&) {
+  return R"(The paper is Krzyżanowski, Wójcik and Tejchman (2020). Figures 2 to 5 are element tests at one point; 7 to 10 are runs
+of the biaxial test, several at once: three meshes with two time steps each, seven characteristic lengths, three void
+ratios. All are run once as in the paper, and once with the stress filter and slowly enough for the behaviour after the
+peak, which takes nine tenths of the time. report.html compares every statement of the paper's text with both results
+and with theory. A command that was stopped or killed continues when it is given again.
+
+Examples
+  riedel reproduce
+  riedel reproduce --figure 8,9 --scheme cpdi
+  riedel reproduce --way paper
+)";
+}
+
+} // namespace
+
+Command reproduce_command() {
+  return {.name = "reproduce",
+          .usage = "[options]",
+          .summary = "Reproduces the paper figure by figure, and compares its statements with the results.",
+          .max_words = 0,
+          .options = reproduce_options(),
+          .run = reproduce,
+          .more_help = reproduce_help};
 }
 
 } // namespace riedel

@@ -74,8 +74,6 @@ void write_results(const Studies& studies, const std::string& status, OutputFold
       print_warning(each.problem->name + " under " + each.scheme + ": " + missed);
 }
 
-} // namespace
-
 int verify(const Arguments& arguments) {
   const Catalogue catalogue = load_catalogue(arguments.list("plugin", {})).catalogue;
   const Names all_schemes = catalogue.in_2d.schemes.names(), all_problems = problem_names();
@@ -93,6 +91,46 @@ int verify(const Arguments& arguments) {
   if (interrupt) return interrupt.exit_code();
   if (document) document->write(verify_tables(studies));
   return 0;
+}
+
+Options verify_options() {
+  std::vector<std::string> problems;
+  for (const VerifyProblem& problem : verify_problems()) problems.push_back(problem.name);
+  return {{"schemes", "A,B", "default: all; 'riedel list schemes' lists them", true, scheme_names()},
+          {"problems", "A,B", "default: all; they are listed below", true, problems},
+          {"points", "N", "per cell along each axis; default: the problem's own number, mostly 2"},
+          {"out", "DIR", "folder for tables, numbers and pictures; default: results/verify"},
+          {"document", "FILE.md", "put the tables between <!-- riedel verify --> and <!-- riedel verify ends -->"},
+          {"force", "", "overwrite the results in the folder"},
+          plugin_option()};
+}
+
+std::string verify_help(const Arguments&) {
+  std::string text = "Problems\n";
+  for (const VerifyProblem& problem : verify_problems())
+    text += "  " + problem.name + ": " + problem.title + "\n    " + problem.measure + "\n    " + problem.source + "\n";
+  return text + R"(
+Most problems run with cells halved several times, in two dimensions unless stated, with two points per cell along each
+axis, MUSL and FLIP, on one thread. The order is the slope of the line through the logarithms of errors and cells. A
+warning reports an expected order or error that a scheme misses. verify.md holds the printed tables, verify.csv a line
+for each run; convergence.png and cost.png show the square whose points cross cells.
+
+Examples
+  riedel verify
+  riedel verify --schemes gimp,cpdi --problems bar,vortex --out results/two
+)";
+}
+
+} // namespace
+
+Command verify_command() {
+  return {.name = "verify",
+          .usage = "[options]",
+          .summary = "Problems with known answers under every scheme: errors, orders of convergence, cost.",
+          .max_words = 0,
+          .options = verify_options(),
+          .run = verify,
+          .more_help = verify_help};
 }
 
 } // namespace riedel
