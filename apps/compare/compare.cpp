@@ -96,7 +96,7 @@ int collect(const Arguments& arguments) {
 
 Options compare_options() {
   Options options = case_options();
-  std::vector<std::string> schemes = scheme_names();
+  std::vector<std::string> schemes = full_catalogue().in_2d.schemes.names();
   schemes.emplace_back("all");
   options.push_back({"schemes", "A,B", "interpolation schemes; 'all' stands for all of them", true, schemes});
   options.push_back({"vary", "KEY=A,B", "values of a key; if repeated, all combinations are run", true});

@@ -178,7 +178,7 @@ Options reproduce_options() {
                      {"paper", "filtered"}});
   options.push_back({"scheme", "NAME",
                      "interpolation scheme of Figures 7 to 10; default: gimp for paper, cpdi for filtered", false,
-                     scheme_names()});
+                     full_catalogue().in_2d.schemes.names()});
   options.push_back({"out", "DIR", "folder of runs, pictures and report; default: results/reproduce/ and the scheme"});
   options.push_back({"threads", "N", "for all runs together; default: all of the machine"});
   options.push_back(

@@ -96,7 +96,8 @@ int verify(const Arguments& arguments) {
 Options verify_options() {
   std::vector<std::string> problems;
   for (const VerifyProblem& problem : verify_problems()) problems.push_back(problem.name);
-  return {{"schemes", "A,B", "default: all; 'riedel list schemes' lists them", true, scheme_names()},
+  return {{"schemes", "A,B", "default: all; 'riedel list schemes' lists them", true,
+           full_catalogue().in_2d.schemes.names()},
           {"problems", "A,B", "default: all; they are listed below", true, problems},
           {"points", "N", "per cell along each axis; default: the problem's own number, mostly 2"},
           {"out", "DIR", "folder for tables, numbers and pictures; default: results/verify"},
