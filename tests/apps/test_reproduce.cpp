@@ -90,11 +90,11 @@ TEST(Statements, OfTwoWaysStandSideBySide) {
   const Statement first{.where = "a", .claim = "c", .measured = "1", .theory = "t", .reason = "r"};
   Statement second = first;
   second.measured = "2", second.verdict = Verdict::agrees, second.reason = "";
-  const std::vector<Told> told{{"one way", {first}}, {"another", {second}}};
-  EXPECT_EQ(statement_markdown(told),
+  const std::vector<Verdicts> both{{"one way", {first}}, {"another", {second}}};
+  EXPECT_EQ(statement_markdown(both),
             "| where | the paper says | one way | measured | another | measured | theory | reason |\n"
             "|---|---|---|---|---|---|---|---|\n| a | c | open | 1 | agrees | 2 | t | r |\n");
-  EXPECT_THAT(statement_text(told), AllOf(HasSubstr("a: c\n"), HasSubstr("open       1, one way\n"),
+  EXPECT_THAT(statement_text(both), AllOf(HasSubstr("a: c\n"), HasSubstr("open       1, one way\n"),
                                           HasSubstr("agrees     2, another\n"), HasSubstr("theory: t\n")));
 }
 
