@@ -110,8 +110,8 @@ Options compare_options() {
 }
 
 std::string compare_help(const Arguments&) {
-  return R"(Every combination is a run in its own folder, of the biaxial test or of the element test that the case names
-(test = "triaxial"). The row of a run that fails or cannot begin says so. A campaign that was stopped or killed
+  return R"(Every combination is a run in its own folder, of the biaxial test or of the element test that the key test
+names. The row of a run that fails or cannot begin says so. A campaign that was stopped or killed
 continues when the same command is given again. results.csv has a row for each run, with every value of its
 summary.json; report.html shows curves, fields and tables in a browser.
 

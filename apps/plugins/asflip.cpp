@@ -22,7 +22,7 @@ struct Apart {
       const Pack grown = Pack::load(points.volume[0] + p) - Pack::load(points.initial_volume[0] + p);
       const Pack share = select(grown > Pack(0.0), Pack(beta), Pack(0.0));
       for (int a = 0; a < Dim; ++a) // Σ N v + α δ is the new velocity
-        motion.way[a] += share * (Pack(dt) * motion.velocity[a] - motion.way[a]);
+        motion.displacement_increment[a] += share * (Pack(dt) * motion.velocity[a] - motion.displacement_increment[a]);
       return motion;
     };
   }

@@ -157,7 +157,7 @@ TEST(BiaxialCheck, RefusesNumbersThatTheTransferWouldNotLookAt) {
     EXPECT_EQ(errors({transfer}), "no error");
     EXPECT_EQ(errors({transfer, "time.flip=damping", "time.damping=auto"}), "no error") << "a run's own case.toml";
   }
-  EXPECT_THAT(errors({"time.flip=0.98", "time.damping=500"}), HasSubstr("give one of them"));
+  EXPECT_THAT(errors({"time.flip=0.98", "time.damping=500"}), HasSubstr("give only one of them"));
   EXPECT_EQ(errors({"time.flip=0.98"}), "no error");
   EXPECT_EQ(errors({"time.damping=0"}), "no error");
   for (const char* transfer : {"time.transfer=apic", "time.transfer=tpic", "time.transfer=flip"})

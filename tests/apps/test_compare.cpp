@@ -244,7 +244,7 @@ TEST_F(Compare, StopsWhenTheDiskIsFullAndKeepsWhatIsFinished) {
   const Outcome outcome = run(folder_, all(words), 40'000); // the files of the second run are larger
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr((out_ / "vtk=true").string()), HasSubstr("File too large"),
-                                 HasSubstr("finished runs stay")));
+                                 HasSubstr("finished runs are kept")));
   const auto kept = fs::last_write_time(out_ / "vtk=false" / "summary.json");
   ASSERT_EQ(compare(words).code, 0) << "with room again it goes on";
   EXPECT_EQ(fs::last_write_time(out_ / "vtk=false" / "summary.json"), kept);

@@ -164,7 +164,7 @@ TEST_F(ElementPaths, SinesAndDeformationGradientsAreCheckedToo) {
   EXPECT_EQ((*whole.deformation)(1, 0), 0.2);
   EXPECT_THAT(errors(given + "[1, 0, 0]\n"), HasSubstr("stage.1.deformation_gradient: has 3 numbers; allowed: 9"));
   EXPECT_THAT(errors(given + "[-1, 0, 0, 0, 1, 0, 0, 0, 1]\n"), HasSubstr("determinant that is not positive"));
-  EXPECT_THAT(errors(given + "[1, 0, 0, 0, 1, 0, 0, 0, 1]\ngamma = 0.1\n"), HasSubstr("asks for gamma as well"));
+  EXPECT_THAT(errors(given + "[1, 0, 0, 0, 1, 0, 0, 0, 1]\ngamma = 0.1\n"), HasSubstr("also prescribes gamma"));
 }
 
 /// What would take hours, or all of the memory, is refused before it begins.

@@ -202,7 +202,7 @@ TEST_F(IncrementalImport, RefusesParametersAndStateThatItDoesNotKnow) {
   };
   EXPECT_EQ(says("0\n", 15), "no error");
   EXPECT_THAT(says("-1\n", 15), HasSubstr("parameters.inp:17: a bulk modulus of water of -1.0"));
-  EXPECT_THAT(says("", 15), HasSubstr("parameters.inp:16: the file ends where the bulk modulus of water should"));
+  EXPECT_THAT(says("", 15), HasSubstr("parameters.inp:16: the file ends where the bulk modulus of water is expected"));
   EXPECT_THAT(says("0\n0.6\n1\n", 17), HasSubstr("parameters.inp:2: 17 parameters are too many"));
   EXPECT_THAT(says("", 14, "14\n0\n0\n0\n0\n0\n0\n0.6\n0\n9\n9\n9\n9\n9\n3\n"),
               HasSubstr("statev(14) = 3.0 is not known"));

@@ -51,10 +51,10 @@ TEST_F(CaseFiles, AQuotedNameWithADotIsAnotherKey) {
 
 TEST_F(CaseFiles, WhatIsNoTextIsToldWithItsPlace) {
   EXPECT_THAT(syntax_error(std::string_view("\xff\xfes\0", 4)), HasSubstr("is written in UTF-16"));
-  EXPECT_THAT(syntax_error(std::string_view("a = 1\nb\0", 8)), HasSubstr("case.toml:2:2: not valid TOML: a byte that"));
+  EXPECT_THAT(syntax_error(std::string_view("a = 1\nb\0", 8)), HasSubstr("case.toml:2:2: not valid TOML: a zero byte"));
   EXPECT_THAT(syntax_error("a = 'é'\nb = '\xff'"),
               HasSubstr("case.toml:2:6: not valid TOML: a byte that is not UTF-8"));
-  EXPECT_THAT(syntax_error("a = '\xed\xa0\x80'"), HasSubstr("no UTF-8")); // half of a pair
+  EXPECT_THAT(syntax_error("a = '\xed\xa0\x80'"), HasSubstr("not UTF-8")); // half of a pair
   EXPECT_THAT(syntax_error(std::string(5 << 20, '#')), HasSubstr("larger than 4 MiB"));
   EXPECT_EQ(file("\xEF\xBB\xBFscheme = 'cpdi'\r\n").validate(keys()).text("scheme"), "cpdi");
 }
