@@ -39,14 +39,14 @@ void Frame::check() const {
 }
 
 Frame deformable_points(const Frame& frame) {
-  if (!frame.has("mean_pressure")) return frame;
-  const std::vector<double>& pressure = frame.field("mean_pressure").values;
-  if (std::ranges::none_of(pressure, [](double p) { return std::isnan(p); })) return frame;
+  if (!frame.has("mass")) return frame;
+  const std::vector<double>& mass = frame.field("mass").values;
+  if (std::ranges::none_of(mass, [](double m) { return std::isnan(m); })) return frame;
   const auto chosen = [&](const std::vector<double>& values) {
-    const std::size_t of_each = values.size() / pressure.size();
+    const std::size_t of_each = values.size() / mass.size();
     std::vector<double> left;
-    for (std::size_t p = 0; p < pressure.size(); ++p)
-      if (!std::isnan(pressure[p]))
+    for (std::size_t p = 0; p < mass.size(); ++p)
+      if (!std::isnan(mass[p]))
         left.insert(left.end(), values.begin() + static_cast<std::ptrdiff_t>(p * of_each),
                     values.begin() + static_cast<std::ptrdiff_t>((p + 1) * of_each));
     return left;

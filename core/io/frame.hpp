@@ -41,7 +41,7 @@ struct Frame {
   void check() const;
 };
 
-/// The frame without its rigid points, which have no mean pressure: what measurements are made on.
+/// The frame without its rigid points, which have no mass: what measurements are made on.
 Frame deformable_points(const Frame& frame);
 
 } // namespace riedel
